@@ -16,6 +16,7 @@ import sys
 import threading
 
 from day6_core.system.processes import marked, shell_marked
+from day6_core.virtual.surroundings import VARIABLE as TIME
 
 MARK = "DAY6_JOB"
 """The variable that marks a process as ours: `<our session>.<number of the program>.`"""
@@ -99,7 +100,7 @@ def _add(target: int) -> None:
 def _start() -> None:
     global _guardian
     if _guardian is None or _guardian.poll() is not None:
-        env = {name: value for name, value in os.environ.items() if name != MARK}
+        env = {name: value for name, value in os.environ.items() if name != MARK} | {TIME: ""}
         _guardian = subprocess.Popen(
             ["/bin/sh", "-c", shell_marked() + _SCRIPT, "day6-guardian"],
             stdin=subprocess.PIPE,

@@ -459,6 +459,14 @@ VARIABLES = (
         ("Python's own; `day6-tui doctor` warns of it.", "Python 自己的变量；设置了它时 `day6-tui doctor` 会提醒。"),
     ),
     Variable(
+        "PYTHONHASHSEED",
+        "system",
+        (
+            "Set to `0` in virtual time (`--fast`), unless you set it.",
+            "在虚拟时间里（`--fast`）设为 `0`，除非你已设置。",
+        ),
+    ),
+    Variable(
         "PYTHONUNBUFFERED",
         "system",
         ("Set to `1` for programs in a pipe, unless you set it.", "程序接在管道里时设为 `1`，除非你已设置。"),
@@ -606,6 +614,14 @@ VARIABLES = (
         "DAY6_PYTHON",
         "internal",
         ("The interpreter of our executables on Windows.", "Windows 上这些可执行文件使用的 Python 解释器。"),
+    ),
+    Variable(
+        "DAY6_TIME",
+        "internal",
+        (
+            "The folder of the world whose virtual time a program follows (`--fast`).",
+            "程序所在的虚拟时间世界的文件夹（`--fast`）。",
+        ),
     ),
     Variable(
         "DAY6_SITE_PACKAGES",

@@ -83,10 +83,11 @@ def program_cases() -> list[Case]:
     ]
 
 
-def play(case: Case, folder: Path, *, real: str | None = None, domain: int = 0) -> Outcome:
+def play(case: Case, folder: Path, *, real: str | None = None, domain: int = 0, fast: bool = False) -> Outcome:
     """Run a program as a process in an empty folder, with our rclpy or that of the interpreter `real`.
 
-    -9 after `TIMEOUT_S` seconds. A real one uses the ROS domain `domain` and checks messages, as ours does always.
+    -9 after `TIMEOUT_S` seconds. A real one uses the ROS domain `domain` and checks messages, as ours does always. `fast`: in
+    virtual time.
     """
     (folder / "prog.py").write_text(case.code, encoding="utf-8")
     env = dict(os.environ) if real is not None else program_environment()
@@ -96,8 +97,9 @@ def play(case: Case, folder: Path, *, real: str | None = None, domain: int = 0) 
     if real is not None:
         env.pop("PYTHONPATH", None)
         env.update(ROS_AUTOMATIC_DISCOVERY_RANGE="LOCALHOST", ROS_PYTHON_CHECK_FIELDS="1", ROS_DOMAIN_ID=str(domain))
+    command = [sys.executable, "-m", "day6_tui.main", "python", "--fast"] if fast else [real or sys.executable]
     process = subprocess.Popen(
-        [real or sys.executable, "prog.py"],
+        [*command, "prog.py"],
         cwd=folder,
         env=env,
         stdin=subprocess.PIPE if case.stdin else subprocess.DEVNULL,

@@ -7,18 +7,20 @@ from __future__ import annotations
 
 import os
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from tests.conformance.differential import difference
 from tests.conformance.known_differences import KNOWN, TIMING
-from tests.conformance.played import Case, play, program_cases, reference_cases
+from tests.conformance.played import Case, Outcome, play, program_cases, reference_cases
 
 pytestmark = pytest.mark.process
 
 _REFERENCE = reference_cases()
 _PROGRAMS = program_cases()
+_ALIKE = [case for case in (*_REFERENCE, *_PROGRAMS) if case.name not in KNOWN]
 
 
 def test_the_reference_cases_are_there() -> None:
@@ -45,11 +47,7 @@ def test_a_reference_program_does_the_same(case: Case, tmp_path: Path) -> None:
     if case.name in KNOWN:
         assert outcome != case.expected, f"no longer a difference: {KNOWN[case.name]}"
         pytest.xfail(KNOWN[case.name])
-    assert outcome.exit_code == case.expected.exit_code, outcome.stderr
-    assert outcome.stdout == case.expected.stdout
-    late = TIMING.get(case.name)
-    lines = [line for line in outcome.stderr.splitlines() if late is None or not line.endswith(late)]
-    assert "\n".join(lines) == case.expected.stderr
+    assert _differences(case, outcome) == []
 
 
 @recorded_here
@@ -59,3 +57,15 @@ def test_a_program_does_what_it_did_with_real_rclpy(case: Case, tmp_path: Path) 
     if found and "sleep(" in case.code:  # whose callbacks come first depends on the load, as with the real one
         found = difference(case.expected, play(case, tmp_path))
     assert found == []
+
+
+@recorded_here
+@pytest.mark.parametrize("case", _ALIKE, ids=lambda case: case.name)
+def test_a_program_does_the_same_in_virtual_time(case: Case, tmp_path: Path) -> None:
+    assert _differences(case, play(case, tmp_path, fast=True)) == []
+
+
+def _differences(case: Case, outcome: Outcome) -> list[str]:
+    late = TIMING.get(case.name)
+    lines = [line for line in outcome.stderr.splitlines() if late is None or not line.endswith(late)]
+    return difference(case.expected, replace(outcome, stderr="\n".join(lines)))

@@ -41,7 +41,7 @@ class Place:
         """What differs from this process's variables; None stands for "not set"."""
         return {"DAY6_LINK": self.link, "DAY6_RUNTIME_DIR": str(self.runtime), **more}
 
-    def _variables(self, **more: str | None) -> dict[str, str]:
+    def variables(self, **more: str | None) -> dict[str, str]:
         merged = {**os.environ, **self.environment(**more)}
         return {name: value for name, value in merged.items() if value is not None}
 
@@ -49,7 +49,7 @@ class Place:
 
     def run(self, *words: str, stdin: str | None = "", **env: str | None) -> subprocess.CompletedProcess[str]:
         """Run `day6-tui WORDS…` to its end."""
-        return run([*DAY6, *words], stdin, cwd=self.work, env=self._variables(**env))
+        return run([*DAY6, *words], stdin, cwd=self.work, env=self.variables(**env))
 
     def execute(self, commands: str, *more: str, **env: str | None) -> subprocess.CompletedProcess[str]:
         """Run lines of the simulated terminal by `day6-tui exec`."""
@@ -60,7 +60,7 @@ class Place:
         return subprocess.Popen(
             [*DAY6, *words],
             cwd=self.work,
-            env=self._variables(**env),
+            env=self.variables(**env),
             stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,

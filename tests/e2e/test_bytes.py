@@ -71,7 +71,7 @@ def test_a_script_with_bad_bytes_does_what_bash_does_with_it(place: Place) -> No
                 [*command, *([str(script)] if way == "file" else [])],
                 SCRIPT if way == "stdin" else b"",
                 cwd=place.work,
-                env=place._variables(LC_ALL="C.UTF-8"),  # how many characters bytes are depends on it
+                env=place.variables(LC_ALL="C.UTF-8"),  # how many characters bytes are depends on it
                 text=False,
             )
             outputs.append((done.stdout + done.stderr).split(b"\n"))
@@ -86,7 +86,7 @@ def test_standard_input_and_the_commands_of_exec_keep_their_bytes(place: Place) 
             [*map(str.encode, DAY6), b"exec", b"--home", bytes(place.home), b"-c", commands],
             every,
             cwd=place.work,
-            env=place._variables(),
+            env=place.variables(),
             text=False,
         )
         assert (done.stdout, done.stderr) == (wanted, b"")

@@ -76,7 +76,7 @@ def test_a_real_shell_has_them_after_its_variables_were_set(caller: Place) -> No
     done = subprocess.run(
         ["sh", "-c", f"{variables}\npython3 caller.py; day6-tui --version"],
         cwd=caller.work,
-        env={**caller._variables(), "PATH": "/usr/bin:/bin"},
+        env={**caller.variables(), "PATH": "/usr/bin:/bin"},
         capture_output=True,
         text=True,
     )
@@ -91,7 +91,7 @@ def test_pytest_in_the_simulated_terminal_and_after_env_finds_rclpy(caller: Plac
     done = subprocess.run(
         ["sh", "-c", f"{variables}\npytest -q test_it.py"],
         cwd=caller.work,
-        env=caller._variables(),
+        env=caller.variables(),
         capture_output=True,
         text=True,
     )
@@ -104,7 +104,7 @@ def test_colcon_test_in_a_real_terminal_passes_for_the_package_that_we_make(plac
     made = subprocess.run(
         [*DAY6, "ros2", "pkg", "create", "--build-type", "ament_python", "--node-name", "hi", "hello"],
         cwd=source,
-        env=place._variables(),
+        env=place.variables(),
         capture_output=True,
         text=True,
     )

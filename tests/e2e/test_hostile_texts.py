@@ -236,7 +236,7 @@ def test_nodes_of_others_with_names_that_ros_has_not_are_in_no_list(place: Place
 
     other = subprocess.Popen(
         [sys.executable, "-c", DECLARE],
-        env=place._variables(),
+        env=place.variables(),
         stdin=subprocess.PIPE,
         stdout=subprocess.PIPE,
         text=True,

@@ -54,6 +54,8 @@ def module_names() -> list[str]:
     for path in (path for base in PACKAGES.values() for path in sorted(base.rglob("*.py"))):
         if SHARE in path.parents or (OF_DISTRIBUTIONS in path.parents and OF_JAZZY not in path.parents):
             continue
+        if 'if sys.platform != "linux":\n    raise ImportError(' in path.read_text(encoding="utf-8"):
+            continue  # says so itself
         base = next(each for each in (ON_THE_PATH, OF_JAZZY, *PACKAGES.values()) if each in path.parents)
         parts = path.relative_to(base).with_suffix("").parts
         parts = parts[:-1] if parts[-1] == "__init__" else parts

@@ -52,6 +52,7 @@ from day6_core.link.remote import RemoteGraph
 from day6_core.link.services import Services
 from day6_core.link.topics import Topics
 from day6_core.reason import named_reason, reason
+from day6_core.virtual.surroundings import is_virtual
 
 if TYPE_CHECKING:
     import zenoh
@@ -496,6 +497,8 @@ class Link:
             return _RETRY_SECONDS
         if self._one_shot:
             return _SEARCH_SECONDS if self._session is None else None
+        if self._session is not None and is_virtual():
+            return None  # nobody takes the files of a world, and time would go on for nothing else than these looks
         has_met = self._meeting is None or self._meeting.held_here or self._presence["meeting"]
         return _CHECK_SECONDS if has_met else _SEARCH_SECONDS
 

@@ -201,6 +201,8 @@ TEXTS = {
     "cli.exec.commands": "the lines to run (default: those of FILE, else of standard input)",
     "cli.exec.file": "a file of lines",
     "cli.exec.arguments": "$1, $2 … in these lines",
+    "cli.fast": "in virtual time: as fast as it can be computed, the same each time (Linux)",
+    "cli.fast.not.here": "virtual time works on Linux only",
     "cli.exec.timeout": "end everything after S seconds, with status {status}",
     "cli.exec.home.failed": "the home folder cannot be used: {reason}",
     "cli.shell": (

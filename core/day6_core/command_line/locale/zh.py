@@ -168,6 +168,8 @@ TEXTS = {
     "cli.exec.commands": "要运行的命令（默认：FILE 里的，否则标准输入里的）",
     "cli.exec.file": "写着命令的文件",
     "cli.exec.arguments": "命令里的 $1、$2 …",
+    "cli.fast": "用虚拟时间：能算多快就跑多快，每次结果都一样（Linux）",
+    "cli.fast.not.here": "虚拟时间目前只能在 Linux 上用",
     "cli.exec.timeout": "S 秒以后全部结束，状态是 {status}",
     "cli.exec.home.failed": "主目录不能用：{reason}",
     "cli.shell": "真正的子终端，里面是 day6-tui 的 ros2 和 python3。\n也有 colcon、rviz2 和 rqt 的各个窗口。",

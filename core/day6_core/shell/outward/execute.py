@@ -23,7 +23,9 @@ from day6_core.shell.builtins.why import is_own
 from day6_core.shell.desk import Desk
 from day6_core.shell.language.redirection import Streams
 from day6_core.shell.language.subshells import whole_run
+from day6_core.shell.outward.fast import begin_anew_or_say
 from day6_core.shell.runs import Run, Runs
+from day6_core.virtual.surroundings import is_virtual
 
 TIMED_OUT = 124
 
@@ -53,6 +55,7 @@ def build_parser(language: str = "en") -> CommandParser:
     parser.add_argument("file", nargs="?", metavar="FILE", help=texts("cli.exec.file"))
     parser.add_argument("arguments", nargs="*", metavar="ARG", help=texts("cli.exec.arguments"))
     parser.add_argument("--home", type=values.home, metavar="DIR", help=texts("cli.options.home"))
+    parser.add_argument("--fast", action="store_true", help=texts("cli.fast"))
     parser.add_argument("--timeout", type=values.seconds, metavar="S", help=texts("cli.exec.timeout", status=TIMED_OUT))
     return parser
 
@@ -64,6 +67,8 @@ def main(arguments: list[str]) -> int:
     options = parser.parse_args(arguments)
     if options.lang is not None:
         os.environ[VARIABLE] = language
+    if options.fast and not is_virtual():
+        return begin_anew_or_say(parser, sys.orig_argv, os.environ)
     words = list(options.arguments)
     commands: str | None = options.commands
     name = "bash"

@@ -15,6 +15,7 @@ def build_parser(language: str = "en") -> CommandParser:
     from day6_core.command_line.parser import command_parser
 
     parser = command_parser("python", language)
+    parser.add_argument("--fast", action="store_true", help=parser.texts("cli.fast"))
     parser.add_argument("file", nargs="?", metavar="FILE", help=parser.texts("cli.python.file"))
     parser.add_argument("arguments", nargs="*", metavar="ARG", help=parser.texts("cli.python.arguments"))
     return parser
@@ -24,10 +25,16 @@ def main(words: list[str]) -> int:
     """Become `python3 FILE ARG…` with our packages on its path; returns its exit status where that cannot be."""
     from day6_core.ros.environment import program_environment
 
+    fast = False
     if words and words[0].startswith("-"):
-        words = _obeyed(words)
+        fast, words = _obeyed(words)
     argv = [sys.executable, *words]
     environment = program_environment()
+    if fast:
+        from day6_core.language import language_of
+        from day6_core.shell.outward.fast import begin_anew_or_say
+
+        return begin_anew_or_say(build_parser(language_of(os.environ)), argv, environment)
     if sys.platform != "win32":
         os.execve(sys.executable, argv, environment)
     from day6_core.shell.outward.subshell import call
@@ -35,13 +42,13 @@ def main(words: list[str]) -> int:
     return call(argv, environment)
 
 
-def _obeyed(words: list[str]) -> list[str]:
-    """Obey the options of `day6-tui python` itself, and return the words for python3."""
+def _obeyed(words: list[str]) -> tuple[bool, list[str]]:
+    """Obey the options of `day6-tui python` itself; return whether one is --fast, and the words for python3."""
     from day6_core.command_line.leading import BEFORE_A_PROGRAM, leading
     from day6_core.language import VARIABLE, language_of
 
-    options, words = leading(words, BEFORE_A_PROGRAM)
-    if options:
-        os.environ[VARIABLE] = language = language_of(os.environ, options)
-        build_parser(language).parse_args(options)
-    return words
+    options, words = leading(words, (*BEFORE_A_PROGRAM, "--fast"))
+    if not options:
+        return False, words
+    os.environ[VARIABLE] = language = language_of(os.environ, options)
+    return build_parser(language).parse_args(options).fast, words

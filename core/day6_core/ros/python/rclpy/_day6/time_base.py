@@ -7,6 +7,8 @@ import threading
 import time
 from typing import Protocol
 
+from day6_core.virtual.surroundings import is_virtual
+
 
 class TimeBase(Protocol):
     """What a context needs to tell the time; in day6-tui day6_core/session/clock.py, which says who reads which."""
@@ -28,8 +30,9 @@ class MachineTime:
 MACHINE_TIME: TimeBase = MachineTime()
 
 # Long waits are done in pieces. On Windows a lock that is waited for cannot be interrupted by Ctrl-C; elsewhere a signal that
-# comes between Python's last look for one and the wait itself would be noticed only at the wait's end.
-LONGEST_WAIT_S = 0.1 if os.name == "nt" else 0.25
+# comes between Python's last look for one and the wait itself would be noticed only at the wait's end. In virtual time none is
+# missed, and time would go on for nothing else than these pieces.
+LONGEST_WAIT_S = threading.TIMEOUT_MAX if is_virtual() else 0.1 if os.name == "nt" else 0.25
 
 
 def wait_interruptibly(event: threading.Event, seconds: float | None) -> bool:

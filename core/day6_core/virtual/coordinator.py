@@ -1,0 +1,402 @@
+"""Says which process of a world goes on, one at a time, and lets time pass when all of them wait.
+
+It lives in the first process of the world and works while that is idle itself, on whichever of its threads waited last.
+
+The processes have their turns in the order in which they were started: who has been sent something, and who has waited for
+this moment. Then those that watch descriptors look into them, as nobody tells when something comes through a pipe. When none of
+them has anything left to do, time goes on to the first moment that somebody waits for.
+
+The real world holds time still: a process that hasn't come to its first wait yet, one that waits for something real (a C
+function that sleeps), a program that isn't Python, and who waits for a key or a machine outside. Meanwhile, others do what is to
+be done at this moment.
+"""
+
+from __future__ import annotations
+
+import sys
+
+if sys.platform != "linux":
+    raise ImportError("there is no virtual time on this system")
+
+import os
+import select
+import signal
+import socket
+from collections.abc import Callable, Iterable
+from contextlib import suppress
+
+from day6_core.virtual import processes
+from day6_core.virtual.kernel import Kernel
+from day6_core.virtual.member import idle_frame
+from day6_core.virtual.told import TOLD_AFTER
+from day6_core.virtual.wire import NEVER, SIZE, Flag, Frame, Kind
+
+_poll = select.poll
+_recv, _send, _accept = socket.socket.recv, socket.socket.sendall, socket.socket.accept
+_kill, _killpg, _read, _write = os.kill, os.killpg, os.read, os.write
+
+PATIENCE = 0.005
+"""Real seconds after which a process that is to run is asked whether it waits for something real."""
+_STOPPING = (signal.SIGSTOP, signal.SIGTSTP, signal.SIGTTIN, signal.SIGTTOU)
+
+
+class _Process:
+    """A process of the world, as the coordinator knows it."""
+
+    def __init__(self, number: int, pid: int) -> None:
+        self.number = number
+        self.pid = pid
+        self.pidfd = -1
+        self.socket: socket.socket | None = None
+        """None until it takes part; a program that isn't Python never does."""
+        self.frames = b""
+        """Not read yet."""
+        self.deadline = NEVER
+        self.flags = Flag(0)
+        self.touched = True
+        """Something has been sent to it."""
+        self.signals: list[int] = []
+        """For its next turn."""
+        self.seen = 0
+        """How many turns there had been when it looked at its descriptors."""
+        self.runs = False
+        """It has had a turn and isn't idle yet. (A program that isn't Python always does.)"""
+        self.is_real = False
+        """It waits for something real: others go on meanwhile."""
+        self.is_stopped = False
+        self.above: _Process | None = None
+        """Which program that isn't Python has started it."""
+        self.starts_others = 0
+        """How many it has started itself, if it is such a program."""
+
+    @property
+    def is_idle(self) -> bool:
+        return self.socket is not None and not self.runs and not self.is_stopped
+
+    def is_due(self, now: int) -> bool:
+        return self.touched or bool(self.signals) or NEVER != self.deadline <= now
+
+
+class Coordinator:
+    """`tell` says something to the user, by what the first process does with it."""
+
+    number = 0
+    """Of the first process."""
+
+    def __init__(self, path: str, tell: Callable[[str, str], None]) -> None:
+        self._listener = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
+        with suppress(FileNotFoundError):
+            os.unlink(path)  # of the program that has become this one
+        self._listener.bind(path)
+        self._listener.listen(128)
+        self._tell = tell
+        self._told: set[int] = set()
+        """Which programs have been named; 0 when nothing is left to happen."""
+        self._woken, self._waking = os.pipe2(os.O_CLOEXEC | os.O_NONBLOCK)
+        self._members: dict[int, _Process] = {}
+        """All but the first, by their system's number, in their order."""
+        self._own = _Process(0, os.getpid())
+        self._numbers = 0
+        self._now = 0
+        self._turns = 0
+        """In which somebody did something."""
+        self._running: _Process | None = None
+        self._unread = False
+        """Whether something from outside may be waiting in the members' sockets."""
+
+    # -- what the first process does -------------------------------------------------------------------------------------
+
+    def spawned(self, pid: int) -> None:
+        """A process was started; time stands still before it takes part or ends."""
+        self._numbers += 1
+        member = self._members[pid] = _Process(self._numbers, pid)
+        member.pidfd = os.pidfd_open(pid)
+        member.runs = True
+
+    def touched(self, pid: int) -> None:
+        """Something was sent to a process."""
+        if pid == self._own.pid:
+            self._own.touched = True
+        elif (member := self._members.get(pid)) is not None:
+            member.touched = True
+
+    def killed(self, target: int, number: int) -> None:
+        """A signal is sent to a process, or to a group if `target` is negative."""
+        if target >= 0:
+            self._signal(target, number)
+            return
+        for pid in sorted(processes.group_members(-target)):
+            self._signal(pid, number)
+
+    def want(self) -> None:
+        """Something has come from outside to the first process itself."""
+        _write(self._waking, b"\0")
+
+    def leave(self) -> None:
+        """In a forked child: let go of all that is the first process's."""
+        self._listener.close()
+        for member in self._members.values():
+            if member.socket is not None:
+                member.socket.close()
+
+    def idle(self, kernel: Kernel) -> int:
+        """Let the others go on until it is the first process's turn; return the time, ns."""
+        own = self._own
+        frame = idle_frame(kernel)
+        own.flags, own.deadline = Flag(frame.flags), frame.second
+        self._advance(frame.first)
+        if own.flags & Flag.RAN:
+            self._turns += 1
+        while not kernel.has_turn and not self._is_own_turn(kernel):
+            member = self._running or self._next()
+            if member is not None:
+                self._follow(member, kernel)
+            elif not self._pass(kernel):
+                self._wait(kernel)
+        return self._now
+
+    # -- turns -----------------------------------------------------------------------------------------------------------
+
+    def _advance(self, time: int) -> None:
+        self._now = max(self._now, time)
+
+    def _is_own_turn(self, kernel: Kernel) -> bool:
+        own = self._own
+        if self._running is not None:
+            return False
+        if own.touched or own.seen < self._turns:
+            own.touched, own.seen = False, self._turns
+            if kernel.look():
+                return True
+        return NEVER != own.deadline <= self._now
+
+    def _next(self) -> _Process | None:
+        """Return who goes on, after its GO where it needs one."""
+        members = self._members.values()
+        starting = next((each for each in members if each.runs and not each.is_real), None)
+        if starting is not None:
+            return starting
+        if any(each.is_real and each.socket is not None for each in members):
+            self._hear([each for each in members if each.is_real])
+        member = next((each for each in members if each.is_idle and each.is_due(self._now)), None)
+        if member is None:
+            member = next((each for each in members if each.is_idle and self._may_look(each)), None)
+        if member is not None:
+            self._go(member)
+        return member
+
+    def _may_look(self, member: _Process) -> bool:
+        return bool(member.flags & Flag.WATCHES) and member.seen < self._turns
+
+    def _go(self, member: _Process) -> None:
+        frames = [Frame(Kind.SIGNAL, first=number) for number in member.signals]
+        frames.append(Frame(Kind.GO, first=self._now, second=member.number))
+        member.signals.clear()
+        member.touched, member.runs, self._running = False, True, member
+        assert member.socket is not None
+        try:
+            _send(member.socket, b"".join(frame.packed() for frame in frames))
+        except OSError:
+            return  # it has been killed, which shows when it is followed
+
+    def _follow(self, member: _Process, kernel: Kernel) -> None:
+        """Wait until a process that runs is idle or gone, or waits for something real, or the first process is wanted."""
+        self._running = member
+        patience = PATIENCE
+        while member.runs:
+            if member.socket is None:
+                ready = self._poll((self._listener.fileno(), member.pidfd, self._woken), patience)
+            else:
+                ready = self._poll((member.socket.fileno(), self._woken), patience)
+            if self._woken in ready:
+                _read(self._woken, 4096)
+                if kernel.has_turn:
+                    break
+            elif not ready:
+                if member.is_real or processes.state_of(member.pid) in "ST":
+                    member.is_real = True
+                    break
+                patience = min(2 * patience, 0.1)
+            elif member.socket is None:
+                self._enter(member, ready)
+            else:
+                self._take(member)
+        self._running = None
+
+    def _poll(self, fds: Iterable[int], seconds: float | None) -> list[int]:
+        poll = _poll()
+        for fd in fds:
+            poll.register(fd, select.POLLIN)
+        return [fd for fd, _ in poll.poll(None if seconds is None else 1000 * seconds)]
+
+    # -- who takes part --------------------------------------------------------------------------------------------------
+
+    def _enter(self, expected: _Process | None, ready: Iterable[int]) -> None:
+        """Take in who has connected; see who is gone."""
+        if self._listener.fileno() in ready:
+            connected, _ = _accept(self._listener)
+            data = _recv(connected, SIZE, socket.MSG_WAITALL)
+            if len(data) < SIZE:
+                connected.close()
+                return
+            pid = Frame.unpacked(data).first
+            if pid not in self._members:
+                self._note_stranger(pid)
+            member = self._members[pid]
+            member.socket, member.frames = connected, b""
+            member.runs, member.is_real, member.touched = False, False, True
+        elif expected is not None and expected.pidfd in ready:
+            self._remove(expected)
+
+    def _note_stranger(self, pid: int) -> None:
+        """A process that something else than Python has started."""
+        self.spawned(pid)
+        above = processes.parent_of(pid)
+        while above > 1 and above not in self._members:
+            above = processes.parent_of(above)
+        program = self._members.get(above)
+        if program is not None and program.socket is None:
+            self._members[pid].above = program
+            program.starts_others += 1
+
+    def _remove(self, member: _Process) -> None:
+        member.runs = False
+        del self._members[member.pid]
+        if member.above is not None:
+            member.above.starts_others -= 1
+        os.close(member.pidfd)
+        if member.socket is not None:
+            member.socket.close()
+        self._turns += 1
+        for each in self._members.values():
+            each.touched = True  # it may have been at the other end of something
+        self._own.touched = True
+
+    def _take(self, member: _Process) -> None:
+        """Take what a process has to say; what comes first, if it is gone, is its end."""
+        assert member.socket is not None
+        try:
+            data = _recv(member.socket, 65536)
+        except OSError:
+            data = b""
+        if not data:
+            member.socket.close()
+            member.socket, member.runs = None, True  # it ends, or has become another program
+            return
+        member.frames += data
+        while len(member.frames) >= SIZE:
+            frame = Frame.unpacked(member.frames[:SIZE])
+            member.frames = member.frames[SIZE:]
+            if frame.kind == Kind.TOUCHED:
+                self.touched(frame.first)
+            elif frame.kind == Kind.SPAWNED:
+                if frame.first not in self._members:
+                    self.spawned(frame.first)
+            elif frame.kind == Kind.KILLED:
+                self.killed(frame.first, frame.second)
+            elif frame.kind == Kind.WANTS:
+                member.touched = True
+            elif frame.kind == Kind.IDLE:
+                self._advance(frame.first)
+                member.deadline, member.flags = frame.second, Flag(frame.flags)
+                member.runs = member.is_real = False
+                if member.flags & Flag.RAN:
+                    self._turns += 1
+                member.seen = self._turns
+
+    def _signal(self, pid: int, number: int) -> None:
+        if pid == self._own.pid:
+            _kill(pid, number)
+            return
+        member = self._members.get(pid)
+        if member is not None and member.is_idle and number not in (signal.SIGKILL, signal.SIGCONT, *_STOPPING):
+            member.signals.append(number)
+            return
+        try:
+            _kill(pid, number)
+        except OSError:
+            return  # gone meanwhile
+        if member is None:
+            return
+        if number == signal.SIGKILL:
+            member.runs = True  # until it is gone
+            member.is_stopped = False
+        elif number == signal.SIGCONT:
+            member.is_stopped = False
+        elif number in _STOPPING:
+            member.is_stopped = True
+
+    # -- time --------------------------------------------------------------------------------------------------------------
+
+    def _pass(self, kernel: Kernel) -> bool:
+        """Nobody has anything left to do now: let time pass to the next moment; False if it can't."""
+        everybody = (self._own, *self._members.values())
+        if any(each.flags & Flag.HOLDS and not each.is_stopped for each in everybody):
+            return False
+        if any(each.is_real and not each.starts_others for each in everybody):
+            return False
+        deadlines = [each.deadline for each in everybody if each.deadline != NEVER and not each.is_stopped]
+        if not deadlines:
+            return False
+        self._advance(min(deadlines))
+        self._hear(each for each in self._members.values() if each.is_idle)
+        return True
+
+    def _hear(self, members: Iterable[_Process]) -> None:
+        """Take what processes have said unasked."""
+        by_fd = {each.socket.fileno(): each for each in members if each.socket is not None}
+        for fd in self._poll(by_fd, 0):
+            self._take(by_fd[fd])
+
+    def _wait(self, kernel: Kernel) -> None:
+        """Wait for something real."""
+        poll = _poll()
+        by_fd: dict[int, _Process] = {}
+        for member in self._members.values():
+            if member.is_idle and member.socket is not None:
+                try:
+                    _send(member.socket, Frame(Kind.SLEEP).packed())
+                except OSError:
+                    continue
+            if member.socket is not None:
+                by_fd[member.socket.fileno()] = member
+            by_fd[member.pidfd] = member
+        for fd in (*by_fd, self._woken, self._listener.fileno()):
+            poll.register(fd, select.POLLIN)
+        for watch in kernel.watched:
+            for fd, events in watch.fds:
+                poll.register(fd, events)
+        ready = [fd for fd, _ in poll.poll(1000 * TOLD_AFTER)]
+        if not ready:
+            self._say_why()
+            ready = [fd for fd, _ in poll.poll()]
+        if self._woken in ready:
+            _read(self._woken, 4096)
+        for fd in ready:
+            found = by_fd.get(fd)
+            if found is None or found.pid not in self._members:
+                continue
+            if found.socket is not None and fd == found.socket.fileno():
+                self._take(found)
+            elif fd == found.pidfd:
+                self._remove(found)
+        if self._listener.fileno() in ready:
+            self._enter(None, ready)
+        self._own.touched = True
+
+    # -- what is said ------------------------------------------------------------------------------------------------------
+
+    def _say_why(self) -> None:
+        """Say why time stands still, unless a process that takes part says it itself, or the user is asked for something."""
+        everybody = (self._own, *self._members.values())
+        real = [each for each in everybody if each.is_real]
+        for each in real:
+            if each.socket is None and not each.starts_others:
+                self._say("foreign", each.pid, processes.command_of(each.pid))
+        if not real and not any(each.flags & Flag.HOLDS for each in everybody):
+            self._say("nothing", 0, ", ".join(processes.command_of(pid) for pid in self._members))
+
+    def _say(self, kind: str, number: int, what: str) -> None:
+        if number not in self._told:
+            self._told.add(number)
+            self._tell(kind, what)

@@ -1,0 +1,69 @@
+"""Puts in place what of Python's standard library waits or tells the time, so that a process follows its kernel."""
+
+from __future__ import annotations
+
+import sys
+
+if sys.platform != "linux":
+    raise ImportError("there is no virtual time on this system")
+
+import atexit
+import os
+
+from day6_core.virtual.coordinator import Coordinator
+from day6_core.virtual.follow import chance, children, clocks, descriptors, locks, signals, threads, tracebacks
+from day6_core.virtual.kernel import Kernel
+from day6_core.virtual.member import Member
+from day6_core.virtual.surroundings import is_first, own_world, socket_of
+from day6_core.virtual.told import tell
+from day6_core.virtual.watchdog import watch
+
+
+def begin() -> None:
+    """Take part in the world that the environment names, from now on."""
+    kernel = Kernel()
+    folder = own_world()
+    path = socket_of(folder)
+    if is_first(folder):
+        world: Coordinator | Member = Coordinator(path, tell)
+        atexit.register(_remove_world, folder)
+    else:
+        try:
+            world = Member(path)
+            world.enter(kernel)
+        except OSError:
+            os._exit(1)  # the world has ended
+    kernel.world = world
+
+    def enter_child() -> None:
+        nonlocal world
+        world.leave()
+        kernel.forked()
+        world = kernel.world = Member(path)
+        world.enter(kernel)
+        watch(kernel, tell)
+
+    watch(kernel, tell)
+    locks.install(kernel)
+    threads.install(kernel)
+    clocks.install(kernel)
+    descriptors.install(kernel, lambda pid: world.touched(pid))
+    children.install(kernel, lambda: world, enter_child)
+    signals.install(kernel)
+    tracebacks.install()
+    chance.install(lambda: world.number)
+
+
+def _remove_world(folder: str) -> None:
+    """Remove the world's folder, at the end of its first process; not of a child that was forked.
+
+    Nothing is imported here: a module that evaluates text makes Python forget that a KeyboardInterrupt has ended the program.
+    """
+    if not is_first(folder):
+        return
+    for path, folders, files in os.walk(folder, topdown=False):
+        for name in files:
+            os.unlink(os.path.join(path, name))
+        for name in folders:
+            os.rmdir(os.path.join(path, name))
+    os.rmdir(folder)

@@ -1,0 +1,159 @@
+"""Processes: how they are started, waited for and sent signals, so that the coordinator knows all of them."""
+
+from __future__ import annotations
+
+import sys
+
+if sys.platform != "linux":
+    raise ImportError("there is no virtual time on this system")
+
+import _posixsubprocess
+import os
+from collections.abc import Callable
+from typing import Any, Protocol
+
+from day6_core.virtual.follow.descriptors import descriptors_were_shared
+from day6_core.virtual.follow.imports import when_imported
+from day6_core.virtual.kernel import Kernel, Watch
+from day6_core.virtual.surroundings import VARIABLE
+
+
+class World(Protocol):
+    """Whom this process tells of others."""
+
+    def spawned(self, pid: int) -> None:
+        """A process was started."""
+
+    def killed(self, target: int, number: int) -> None:
+        """A signal is sent to a process, or to a group if negative."""
+
+
+_real_waitpid, _real_waitid, _real_kill, _real_killpg = os.waitpid, os.waitid, os.kill, os.killpg
+_kernel: Kernel
+
+
+def install(kernel: Kernel, world: Callable[[], World], enter_child: Callable[[], None]) -> None:
+    """Have the children that are started from now on be known to the world; one that was forked calls `enter_child`."""
+    global _kernel
+    _kernel = kernel
+    system: Any = os
+    c: Any = _posixsubprocess
+    fork_exec, posix_spawn, posix_spawnp, fork = c.fork_exec, os.posix_spawn, os.posix_spawnp, os.fork
+
+    def fork_exec_and_tell(*args: Any) -> int:
+        pid: int = fork_exec(*args)
+        if pid and not _is_apart(args[5]):
+            world().spawned(pid)
+        if args[3]:
+            descriptors_were_shared()
+        return pid
+
+    def spawn_and_tell(original: Callable[..., int]) -> Callable[..., int]:
+        def spawn(path: Any, argv: Any, env: Any, /, **kwargs: Any) -> int:
+            pid = original(path, argv, env, **kwargs)
+            world().spawned(pid)
+            return pid
+
+        return spawn
+
+    def fork_and_tell() -> int:
+        descriptors_were_shared()
+        pid = fork()
+        if pid:
+            world().spawned(pid)
+        else:
+            enter_child()
+        return pid
+
+    def kill(pid: int, signal: int, /) -> None:
+        if pid in (os.getpid(), 0, -1):
+            _real_kill(pid, signal)
+            return
+        _real_kill(pid, 0)
+        if signal:
+            world().killed(pid, int(signal))
+
+    def killpg(pgid: int, signal: int, /) -> None:
+        if pgid in (0, os.getpgrp()):
+            _real_killpg(pgid, signal)
+            return
+        _real_killpg(pgid, 0)
+        if signal:
+            world().killed(-pgid, int(signal))
+
+    c.fork_exec = fork_exec_and_tell
+    subprocess: Any = sys.modules.get("subprocess")
+    if subprocess is not None and hasattr(subprocess, "_fork_exec"):
+        subprocess._fork_exec = fork_exec_and_tell
+    system.posix_spawn, system.posix_spawnp = spawn_and_tell(posix_spawn), spawn_and_tell(posix_spawnp)
+    system.fork, system.system = fork_and_tell, _system
+    system.waitpid, system.wait, system.waitid = waitpid, lambda: waitpid(-1, 0), _waitid
+    system.kill, system.killpg = kill, killpg
+    when_imported("multiprocessing.synchronize", _follow_semaphores)
+
+
+def _is_apart(environment: Any) -> bool:
+    """Whether a process is no part of the world: it was given an empty VARIABLE."""
+    return environment is not None and os.fsencode(f"{VARIABLE}=") in environment
+
+
+def waitpid(pid: int, options: int, /) -> tuple[int, int]:
+    """As `os.waitpid`."""
+    found = _real_waitpid(pid, options | os.WNOHANG)
+    if found != (0, 0) or options & os.WNOHANG:
+        return found
+    got = [found]
+
+    def is_there() -> bool:
+        got[0] = _real_waitpid(pid, options | os.WNOHANG)
+        return got[0] != (0, 0)
+
+    _wait_for_process(is_there)
+    return got[0]
+
+
+def _waitid(idtype: int, number: int, options: int, /) -> Any:
+    real: Any = _real_waitid
+    found = real(idtype, number, options | os.WNOHANG)
+    if found is not None or options & os.WNOHANG:
+        return found
+    got = [found]
+
+    def is_there() -> bool:
+        got[0] = real(idtype, number, options | os.WNOHANG)
+        return got[0] is not None
+
+    _wait_for_process(is_there)
+    return got[0]
+
+
+def _wait_for_process(is_there: Callable[[], object]) -> None:
+    """The coordinator lets everybody look when one has ended."""
+    _kernel.wait(None, Watch(is_there, (), told=True))
+
+
+def _follow_semaphores(module: Any) -> None:
+    make_methods = module.SemLock._make_methods
+
+    def make_methods_that_wait(self: Any) -> None:
+        make_methods(self)
+        taken = self._semlock.acquire
+
+        def acquire(block: bool = True, timeout: float | None = None) -> bool:
+            if taken(False):
+                return True
+            ns = None if timeout is None else int(max(timeout, 0) * 1e9)
+            return block and _kernel.wait(ns, Watch(lambda: taken(False), ()))
+
+        self.acquire = acquire
+
+    module.SemLock._make_methods = make_methods_that_wait
+    module.SemLock.__enter__ = lambda self: self.acquire()
+
+
+def _system(command: Any) -> int:
+    import subprocess
+
+    with subprocess.Popen(["/bin/sh", "-c", command]) as process:
+        code = process.wait()
+    return -code if code < 0 else code << 8

@@ -1,0 +1,141 @@
+"""The clocks of the modules time and datetime, and `sleep`."""
+
+from __future__ import annotations
+
+import sys
+
+if sys.platform != "linux":
+    raise ImportError("there is no virtual time on this system")
+
+import time
+from collections.abc import Callable
+from typing import Any
+
+from day6_core.virtual.follow.imports import when_imported
+from day6_core.virtual.kernel import Kernel
+
+EPOCH_NS = 1_767_225_600_000_000_000
+"""When every world begins: 2026-01-01, 00:00 UTC."""
+
+
+def install(kernel: Kernel) -> None:
+    """Have the clocks follow a kernel."""
+    module: Any = time
+    clock = kernel.clock
+
+    def sleep(seconds: float, /) -> None:
+        if seconds < 0:
+            raise ValueError("sleep length must be non-negative")
+        kernel.wait(int(seconds * 1e9))
+
+    def time_ns() -> int:
+        return EPOCH_NS + clock()
+
+    def seconds_since_1970() -> float:
+        return (EPOCH_NS + clock()) / 1e9
+
+    def monotonic() -> float:
+        return clock() / 1e9
+
+    def monotonic_ns() -> int:
+        return clock()
+
+    for function, names in (
+        (sleep, ("sleep",)),
+        (time_ns, ("time_ns",)),
+        (seconds_since_1970, ("time",)),
+        (monotonic, ("monotonic", "perf_counter")),
+        (monotonic_ns, ("monotonic_ns", "perf_counter_ns")),
+    ):
+        for name in names:
+            setattr(module, name, function)
+    _follow_clock_gettime(module, clock)
+    _follow_default_times(module)
+    when_imported("datetime", _follow_datetime)
+    when_imported("threading", _follow_threading)
+
+
+def _follow_threading(module: Any) -> None:
+    module._time = time.monotonic
+
+
+def _follow_clock_gettime(module: Any, clock: Callable[[], int]) -> None:
+    real_ns = time.clock_gettime_ns
+    dates = {time.CLOCK_REALTIME}
+    steady = {time.CLOCK_MONOTONIC, *(getattr(time, name, -1) for name in ("CLOCK_MONOTONIC_RAW", "CLOCK_BOOTTIME"))}
+
+    def clock_gettime_ns(clk_id: int, /) -> int:
+        if clk_id in dates:
+            return EPOCH_NS + clock()
+        return clock() if clk_id in steady else real_ns(clk_id)
+
+    def clock_gettime(clk_id: int, /) -> float:
+        return clock_gettime_ns(clk_id) / 1e9
+
+    module.clock_gettime_ns, module.clock_gettime = clock_gettime_ns, clock_gettime
+
+
+def _follow_default_times(module: Any) -> None:
+    """What takes the time of now if it is given none."""
+    for name in ("localtime", "gmtime", "ctime"):
+        setattr(module, name, _with_now(getattr(module, name), module))
+    asctime, strftime = module.asctime, module.strftime
+    module.asctime = lambda t=None, /: asctime(module.localtime() if t is None else t)
+    module.strftime = lambda how, t=None, /: strftime(how, module.localtime() if t is None else t)
+
+
+def _with_now(original: Callable[..., Any], module: Any) -> Callable[..., Any]:
+    def of(seconds: float | None = None, /) -> Any:
+        return original(module.time() if seconds is None else seconds)
+
+    return of
+
+
+def _follow_datetime(module: Any) -> None:
+    real_datetime, real_date = module.datetime, module.date
+
+    class _AlsoReal(type):
+        """What C makes is a datetime, too."""
+
+        def __instancecheck__(cls, instance: object) -> bool:
+            return isinstance(instance, cls.__mro__[1])
+
+        def __subclasscheck__(cls, subclass: type) -> bool:
+            return issubclass(subclass, cls.__mro__[1])
+
+    class datetime(real_datetime, metaclass=_AlsoReal):  # type: ignore[misc,valid-type]
+        @classmethod
+        def now(cls, tz: Any = None) -> Any:
+            return cls.fromtimestamp(time.time(), tz)
+
+        @classmethod
+        def utcnow(cls) -> Any:
+            return cls.fromtimestamp(time.time(), module.timezone.utc).replace(tzinfo=None)
+
+        @classmethod
+        def today(cls) -> Any:
+            return cls.fromtimestamp(time.time())
+
+    class date(real_date, metaclass=_AlsoReal):  # type: ignore[misc,valid-type]
+        @classmethod
+        def today(cls) -> Any:
+            return cls.fromtimestamp(time.time())
+
+    pairs: tuple[tuple[Any, Any], ...] = (datetime, real_datetime), (date, real_date)
+    for made, real in pairs:
+        made.__module__, made.__qualname__ = "datetime", real.__name__
+        made.__repr__ = _representing(real)
+        setattr(module, real.__name__, made)
+    for name in ("min", "max"):
+        day = getattr(real_date, name)
+        date_and_time = getattr(real_datetime, name)
+        setattr(date, name, date(day.year, day.month, day.day))
+        setattr(datetime, name, datetime.combine(date_and_time.date(), date_and_time.time()))
+
+
+def _representing(real: Any) -> Callable[[Any], str]:
+    def represented(self: Any) -> str:
+        text: str = real.__repr__(self)
+        return text if text.startswith("datetime.") else f"datetime.{text}"
+
+    return represented

@@ -1,0 +1,398 @@
+"""Waiting for descriptors: `select`, `read`, sockets, standard input."""
+
+from __future__ import annotations
+
+import sys
+
+if sys.platform != "linux":
+    raise ImportError("there is no virtual time on this system")
+
+import io
+import os
+import select
+import stat
+from collections.abc import Callable, Iterable
+from typing import Any
+
+from day6_core.virtual.follow.imports import when_imported
+from day6_core.virtual.kernel import Kernel, Watch
+from day6_core.virtual.processes import is_ready
+from day6_core.virtual.surroundings import identity, outside
+
+_real_epoll, _real_poll, _real_select = select.epoll, select.poll, select.select
+_real_read = os.read
+_kernel: Kernel
+_told: Callable[[int], object]
+_peers: dict[int, int] = {}
+"""By the number of a Unix socket: the process at its other end."""
+_tells = True
+"""Whether every process tells what it sends through Unix sockets; not after descriptors were handed on to others."""
+
+
+def install(kernel: Kernel, touched: Callable[[int], object]) -> None:
+    """Have what waits for descriptors follow a kernel; who sends something to a process says so by `touched`."""
+    global _kernel, _told
+    _kernel, _told = kernel, touched
+    module: Any = select
+    module.epoll, module.poll, module.select = Epoll, Poll, select_
+    system: Any = os
+    system.read = read
+    when_imported("selectors", _follow_selectors)
+    when_imported("socket", _follow_sockets)
+    when_imported("subprocess", _follow_pipes)
+    _follow_input()
+
+
+def descriptors_were_shared() -> None:
+    """From now on, a Unix socket may be written to by a process that doesn't say so."""
+    global _tells
+    _tells = False
+
+
+def watch(is_there: Callable[[], object], fds: Iterable[tuple[int, int]]) -> Watch:
+    """Return what a thread watches that waits for these descriptors and events."""
+    listed = list(fds)
+    told = _tells and all(events & ~(select.POLLIN | select.POLLPRI) == 0 and _peer_of(fd) for fd, events in listed)
+    return Watch(is_there, listed, told=told, holds=not told and any(_is_outside(fd) for fd, _ in listed))
+
+
+def _is_outside(fd: int) -> bool:
+    if identity(fd) == outside():
+        return True
+    try:
+        is_socket = stat.S_ISSOCK(os.fstat(fd).st_mode)
+    except OSError:
+        return False
+    if not is_socket:
+        return False
+    import socket
+
+    with socket.socket(fileno=os.dup(fd)) as own:
+        if own.family not in (socket.AF_INET, socket.AF_INET6):
+            return False
+        try:
+            address = own.getpeername()[0]
+        except OSError:
+            return False  # it listens
+    return not (address.startswith("127.") or address in ("::1", "0.0.0.0"))
+
+
+def _wait(ns: int | None, is_there: Callable[[], object], fds: Iterable[tuple[int, int]]) -> bool:
+    return _kernel.wait(ns, watch(is_there, fds))
+
+
+def wait_until_ready(fd: int, events: int, seconds: float | None) -> bool:
+    """Wait until a descriptor is ready; False if that isn't so in time."""
+    if is_ready(fd, events):
+        return True
+    return _wait(None if seconds is None else int(seconds * 1e9), lambda: is_ready(fd, events), [(fd, events)])
+
+
+# -- select ------------------------------------------------------------------------------------------------------------
+
+
+class Epoll:
+    """As `select.epoll`."""
+
+    def __init__(self, *args: Any) -> None:
+        self._real = _real_epoll(*args)
+        self._told: dict[int, bool] = {}
+        self.close, self.fileno = self._real.close, self._real.fileno
+
+    @classmethod
+    def fromfd(cls, fd: int) -> Any:
+        """Not followed: a real one."""
+        return _real_epoll.fromfd(fd)
+
+    def register(self, fd: Any, eventmask: int = select.EPOLLIN | select.EPOLLPRI | select.EPOLLOUT) -> None:
+        """As there."""
+        self._real.register(fd, eventmask)
+        number = fd if isinstance(fd, int) else fd.fileno()
+        self._told[number] = not eventmask & select.EPOLLOUT and bool(_peer_of(number))
+
+    def modify(self, fd: Any, eventmask: int) -> None:
+        """As there."""
+        self._real.modify(fd, eventmask)
+        number = fd if isinstance(fd, int) else fd.fileno()
+        self._told[number] = not eventmask & select.EPOLLOUT and bool(_peer_of(number))
+
+    def unregister(self, fd: Any) -> None:
+        """As there."""
+        self._told.pop(fd if isinstance(fd, int) else fd.fileno(), None)
+        self._real.unregister(fd)
+
+    def poll(self, timeout: float | None = None, maxevents: int = -1) -> list[tuple[int, int]]:
+        """As there."""
+        found = self._real.poll(0, maxevents)
+        if found or timeout == 0:
+            return found
+
+        def is_there() -> bool:
+            found[:] = self._real.poll(0, maxevents)
+            return bool(found)
+
+        told = _tells and all(self._told.values())
+        holds = not told and any(_is_outside(fd) for fd, is_told in self._told.items() if not is_told)
+        _kernel.wait(
+            None if timeout is None or timeout < 0 else int(timeout * 1e9),
+            Watch(is_there, [(self.fileno(), select.POLLIN)], told=told, holds=holds),
+        )
+        return found
+
+    @property
+    def closed(self) -> bool:
+        """As there."""
+        return self._real.closed
+
+    def __enter__(self) -> Epoll:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+
+class Poll:
+    """As what `select.poll` returns."""
+
+    def __init__(self) -> None:
+        self._real = _real_poll()
+        self._fds: dict[int, int] = {}
+
+    def register(self, fd: Any, eventmask: int = select.POLLIN | select.POLLPRI | select.POLLOUT) -> None:
+        """As there."""
+        self._real.register(fd, eventmask)
+        self._fds[fd if isinstance(fd, int) else fd.fileno()] = eventmask
+
+    def modify(self, fd: Any, eventmask: int) -> None:
+        """As there."""
+        self._real.modify(fd, eventmask)
+        self._fds[fd if isinstance(fd, int) else fd.fileno()] = eventmask
+
+    def unregister(self, fd: Any) -> None:
+        """As there."""
+        self._real.unregister(fd)
+        self._fds.pop(fd if isinstance(fd, int) else fd.fileno(), None)
+
+    def poll(self, timeout: float | None = None) -> list[tuple[int, int]]:
+        """As there; the time limit is in milliseconds."""
+        found = self._real.poll(0)
+        if found or timeout == 0:
+            return found
+
+        def is_there() -> bool:
+            found[:] = self._real.poll(0)
+            return bool(found)
+
+        _wait(None if timeout is None or timeout < 0 else int(timeout * 1e6), is_there, self._fds.items())
+        return found
+
+
+def select_(rlist: Any, wlist: Any, xlist: Any, timeout: float | None = None, /) -> Any:
+    """As `select.select`."""
+    if timeout is not None and timeout < 0:
+        raise ValueError("timeout must be non-negative")
+    lists = list(rlist), list(wlist), list(xlist)
+    found = _real_select(*lists, 0)
+    if any(found) or timeout == 0:
+        return found
+    got = [found]
+
+    def is_there() -> bool:
+        got[0] = _real_select(*lists, 0)
+        return any(got[0])
+
+    events = select.POLLIN, select.POLLOUT, select.POLLPRI
+    fds: dict[int, int] = {}
+    for each, event in zip(lists, events, strict=True):
+        for fd in each:
+            number = fd if isinstance(fd, int) else fd.fileno()
+            fds[number] = fds.get(number, 0) | event
+    _wait(None if timeout is None else int(timeout * 1e9), is_there, fds.items())
+    return got[0]
+
+
+def _follow_selectors(module: Any) -> None:
+    module.EpollSelector._selector_cls = Epoll
+    module.PollSelector._selector_cls = Poll
+
+
+# -- read --------------------------------------------------------------------------------------------------------------
+
+
+def read(fd: int, length: int, /) -> bytes:
+    """As `os.read`."""
+    if os.get_blocking(fd) and not stat.S_ISREG(os.fstat(fd).st_mode):
+        wait_until_ready(fd, select.POLLIN, None)
+    return _real_read(fd, length)
+
+
+class Pipe(io.FileIO):
+    """A file whose reading waits so that others can go on."""
+
+    def readinto(self, buffer: Any) -> Any:
+        """As there."""
+        self._wait()
+        return super().readinto(buffer)
+
+    def read(self, size: int | None = -1) -> Any:
+        """As there."""
+        if size is None or size < 0:
+            return self.readall()
+        self._wait()
+        return super().read(size)
+
+    def readall(self) -> Any:
+        """As there."""
+        parts = []
+        while part := self.read(65536):
+            parts.append(part)
+        return b"".join(parts)
+
+    def _wait(self) -> None:
+        if os.get_blocking(self.fileno()):
+            wait_until_ready(self.fileno(), select.POLLIN, None)
+
+
+def _follow_pipes(module: Any) -> None:
+    """Of the module subprocess, which opens its ends of pipes by `io.open`."""
+    real_open = io.open
+
+    class Io:
+        def __getattr__(self, name: str) -> Any:
+            return getattr(io, name)
+
+        @staticmethod
+        def open(fd: int, mode: str, bufsize: int = -1) -> Any:
+            if mode != "rb":
+                return real_open(fd, mode, bufsize)
+            raw = Pipe(fd, "rb")
+            return raw if bufsize == 0 else io.BufferedReader(raw, bufsize if bufsize > 1 else io.DEFAULT_BUFFER_SIZE)
+
+    module.io = Io()
+
+
+def _follow_input() -> None:
+    import builtins
+
+    given = sys.stdin
+    if not isinstance(given, io.TextIOWrapper) or stat.S_ISREG(os.fstat(given.fileno()).st_mode):
+        return
+    system: Any = sys
+    system.stdin = system.__stdin__ = io.TextIOWrapper(
+        io.BufferedReader(Pipe(given.fileno(), "rb", closefd=False)),
+        encoding=given.encoding,
+        errors=given.errors,
+        line_buffering=given.line_buffering,
+    )
+    system._day6_stdin = given  # else its end would close the descriptor
+    real_input = builtins.input
+
+    def input(prompt: object = "", /) -> str:  # noqa: A001
+        stdin = system.stdin
+        if stdin is not system.__stdin__ or not stdin.isatty() or not sys.stdout.isatty():
+            return real_input(prompt)
+        sys.stdout.flush()
+        sys.stderr.write(str(prompt))
+        sys.stderr.flush()
+        wait_until_ready(stdin.fileno(), select.POLLIN, None)
+        return real_input()
+
+    module: Any = builtins
+    module.input = input
+
+
+# -- sockets -------------------------------------------------------------------------------------------------------------
+
+
+def _peer_of(fd: int) -> int:
+    """The process at the other end of a Unix socket (our own at the end of one that listens), 0 for anything else."""
+    pid = _peers.get(fd)
+    if pid is None:
+        pid = _peers[fd] = _ask_for_peer(fd)
+    return pid
+
+
+def _ask_for_peer(fd: int) -> int:
+    try:
+        if not stat.S_ISSOCK(os.fstat(fd).st_mode):
+            return 0
+    except OSError:
+        return 0
+    import socket
+    import struct
+
+    with socket.socket(fileno=os.dup(fd)) as own:
+        if own.family != socket.AF_UNIX:
+            return 0
+        found: tuple[int, int, int] = struct.unpack("3i", own.getsockopt(socket.SOL_SOCKET, socket.SO_PEERCRED, 12))
+    return found[0]
+
+
+def _follow_sockets(module: Any) -> None:
+    cls = module.socket
+    unix = module.AF_UNIX
+
+    def receives(name: str) -> None:
+        original = getattr(cls, name)
+
+        def wait_and_receive(self: Any, *args: Any, **kwargs: Any) -> Any:
+            if not any(isinstance(each, int) and each & module.MSG_DONTWAIT for each in args[1:]):
+                _wait_for_socket(self)
+            return original(self, *args, **kwargs)
+
+        setattr(cls, name, wait_and_receive)
+
+    def sends(name: str) -> None:
+        original = getattr(cls, name)
+
+        def send_and_tell(self: Any, *args: Any, **kwargs: Any) -> Any:
+            result = original(self, *args, **kwargs)
+            if self.family == unix:
+                _tell(self.fileno())
+            return result
+
+        setattr(cls, name, send_and_tell)
+
+    for name in ("recv", "recv_into", "recvfrom", "recvfrom_into", "recvmsg", "recvmsg_into"):
+        receives(name)
+    receives_connection = cls._accept
+
+    def accept(self: Any) -> Any:
+        _wait_for_socket(self)
+        return receives_connection(self)
+
+    cls._accept = accept
+    for name in ("send", "sendall", "sendmsg", "connect", "connect_ex", "shutdown"):
+        sends(name)
+    close, detach = cls._real_close, cls.detach
+
+    def real_close(self: Any, *args: Any) -> None:
+        _forget(self)
+        close(self, *args)
+
+    def detached(self: Any) -> int:
+        _peers.pop(self.fileno(), None)
+        return int(detach(self))
+
+    cls._real_close, cls.detach = real_close, detached
+
+
+def _wait_for_socket(sock: Any) -> None:
+    timeout = sock.gettimeout()
+    if timeout != 0 and not wait_until_ready(sock.fileno(), select.POLLIN, timeout):
+        raise TimeoutError("timed out")
+
+
+def _tell(fd: int) -> None:
+    pid = _peer_of(fd)
+    if pid:
+        _told(pid)
+
+
+def _forget(sock: Any) -> None:
+    """A socket is about to be closed, which its other end sees."""
+    fd = sock.fileno()
+    if fd >= 0:
+        pid = _peers.pop(fd, None)
+        if pid:
+            _told(pid)

@@ -1,0 +1,186 @@
+"""Locks whose waiting follows the kernel. Only one thread runs at a time, so a lock is no more than a note that it is taken."""
+
+from __future__ import annotations
+
+import sys
+
+if sys.platform != "linux":
+    raise ImportError("there is no virtual time on this system")
+
+import _thread
+from collections import deque
+from typing import Any
+
+from day6_core.virtual.follow.imports import when_imported
+from day6_core.virtual.kernel import Kernel, Wait
+
+_allocate_lock, _get_ident = _thread.allocate_lock, _thread.get_ident
+_kernel: Kernel
+TIMEOUT_MAX = _thread.TIMEOUT_MAX
+
+
+def install(kernel: Kernel) -> None:
+    """Have the locks that are made from now on follow a kernel."""
+    global _kernel
+    _kernel = kernel
+    thread: Any = _thread
+    thread.allocate_lock = thread.allocate = Lock
+    thread.RLock = RLock
+    if hasattr(thread, "lock"):  # 3.13
+        thread.lock = Lock
+    import threading
+
+    module: Any = threading
+    module._allocate_lock = module.Lock = Lock
+    module.RLock = module._PyRLock = RLock
+    module._CRLock = None
+    when_imported("queue", _follow_queue)
+
+
+def _follow_queue(module: Any) -> None:
+    module.SimpleQueue = module._PySimpleQueue  # the other one has a lock of its own, in C
+
+
+class Lock:
+    """As `_thread.lock`."""
+
+    __slots__ = ("__weakref__", "_locked", "_waiting")
+
+    def __init__(self) -> None:
+        self._locked = False
+        self._waiting: deque[Wait] | None = None
+
+    def __enter__(self) -> bool:
+        if self._locked:
+            return self.acquire()
+        self._locked = True
+        return True
+
+    def __exit__(self, *_: object) -> None:
+        self._locked = False
+        if self._waiting:
+            _kernel.wake(self._waiting.popleft())
+
+    def acquire(self, blocking: bool = True, timeout: float = -1) -> bool:
+        """Take it; False if that isn't possible in time."""
+        if timeout != -1 and (not blocking or not 0 <= timeout <= TIMEOUT_MAX):
+            _allocate_lock().acquire(blocking, timeout)  # says in the words of this Python what is wrong
+        if not self._locked:
+            self._locked = True
+            return True
+        return bool(blocking) and self._wait(None if timeout == -1 else int(timeout * 1e9))
+
+    def release(self) -> None:
+        """Let it go; any thread may."""
+        if not self._locked:
+            raise RuntimeError("release unlocked lock")
+        self._locked = False
+        if self._waiting:
+            _kernel.wake(self._waiting.popleft())
+
+    def locked(self) -> bool:
+        """Whether it is taken."""
+        return self._locked
+
+    acquire_lock, release_lock, locked_lock = acquire, release, locked
+
+    def _wait(self, ns: int | None) -> bool:
+        kernel = _kernel
+        end = None if ns is None else kernel.time() + ns
+        waiting = self._waiting
+        if waiting is None:
+            waiting = self._waiting = deque()
+        mine = kernel.mine()
+        while True:
+            waiting.append(mine)
+            try:
+                kernel.wait(None if end is None else end - kernel.time())
+            except BaseException:  # of a handler of a signal
+                if not self._locked and mine not in waiting and waiting:
+                    kernel.wake(waiting.popleft())  # it was this one's turn
+                raise
+            finally:
+                if mine in waiting:
+                    waiting.remove(mine)
+            if not self._locked:
+                self._locked = True
+                return True
+            if end is not None and kernel.time() >= end:
+                return False
+
+    def _at_fork_reinit(self) -> None:
+        self._locked = False
+        self._waiting = None
+
+    def __repr__(self) -> str:
+        state = "locked" if self._locked else "unlocked"
+        return f"<{state} _thread.lock object at {id(self):#x}>"
+
+
+class RLock:
+    """As `_thread.RLock`."""
+
+    __slots__ = ("__weakref__", "_count", "_lock", "_owner")
+
+    def __init__(self) -> None:
+        self._lock = Lock()
+        self._owner: int | None = None
+        self._count = 0
+
+    def __enter__(self) -> bool:
+        return self.acquire()
+
+    def __exit__(self, *_: object) -> None:
+        self.release()
+
+    def acquire(self, blocking: bool = True, timeout: float = -1) -> bool:
+        """Take it, once more if the calling thread has it; False if that isn't possible in time."""
+        me = _get_ident()
+        if self._owner == me:
+            self._count += 1
+            return True
+        if self._lock.acquire(blocking, timeout):
+            self._owner, self._count = me, 1
+            return True
+        return False
+
+    def release(self) -> None:
+        """Let it go as often as it was taken."""
+        if self._owner != _get_ident():
+            raise RuntimeError("cannot release un-acquired lock")
+        self._count -= 1
+        if not self._count:
+            self._owner = None
+            self._lock.release()
+
+    def locked(self) -> bool:
+        """Whether a thread has it."""
+        return self._count > 0
+
+    # -- for threading.Condition -----------------------------------------------------------------------------------------
+
+    def _is_owned(self) -> bool:
+        return self._owner == _get_ident()
+
+    def _recursion_count(self) -> int:
+        return self._count if self._owner == _get_ident() else 0
+
+    def _release_save(self) -> tuple[int, int | None]:
+        if not self._count:
+            raise RuntimeError("cannot release un-acquired lock")
+        state = self._count, self._owner
+        self._count, self._owner = 0, None
+        self._lock.release()
+        return state
+
+    def _acquire_restore(self, state: tuple[int, int | None]) -> None:
+        self._lock.acquire()
+        self._count, self._owner = state
+
+    def _at_fork_reinit(self) -> None:
+        self._lock._at_fork_reinit()
+        self._owner, self._count = None, 0
+
+    def __repr__(self) -> str:
+        state = "locked" if self._count else "unlocked"
+        return f"<{state} _thread.RLock object owner={self._owner or 0} count={self._count} at {id(self):#x}>"

@@ -1,0 +1,81 @@
+"""Handlers of signals: Python calls them in the main thread at any moment, but here that may not be the one that runs."""
+
+from __future__ import annotations
+
+import sys
+
+if sys.platform != "linux":
+    raise ImportError("there is no virtual time on this system")
+
+import _signal  # type: ignore[import-not-found]
+import _thread
+import os
+from collections.abc import Callable
+from typing import Any
+
+from day6_core.virtual.kernel import Kernel
+from day6_core.virtual.member import deliver as send
+
+_real_signal, _real_getsignal, _real_set_wakeup_fd = _signal.signal, _signal.getsignal, _signal.set_wakeup_fd
+_real_raise, _real_pthread_kill = _signal.raise_signal, _signal.pthread_kill
+_get_ident = _thread.get_ident
+
+
+def install(kernel: Kernel) -> None:
+    """Have the kernel call the handlers, those that are there and those to come."""
+
+    def signal(signalnum: int, handler: Any, /) -> Any:
+        before = getsignal(signalnum)
+        if callable(handler):
+            _real_signal(signalnum, kernel.arrived)
+            kernel.handlers[int(signalnum)] = handler
+        else:
+            _real_signal(signalnum, handler)
+            kernel.handlers.pop(int(signalnum), None)
+        return before
+
+    def getsignal(signalnum: int, /) -> Any:
+        return kernel.handlers.get(int(signalnum)) or _real_getsignal(signalnum)
+
+    def set_wakeup_fd(fd: int, /, *, warn_on_full_buffer: bool = True) -> int:
+        before: int = _real_set_wakeup_fd(fd, warn_on_full_buffer=warn_on_full_buffer)
+        kernel.wakeup_fd = fd
+        return before
+
+    def raise_signal(signalnum: int, /) -> None:
+        if _get_ident() == main or not deliver(int(signalnum)):
+            _real_raise(signalnum)
+
+    def pthread_kill(thread_id: int, signalnum: int, /) -> None:
+        if thread_id == _get_ident() == main or not signalnum or not deliver(int(signalnum)):
+            _real_pthread_kill(thread_id, signalnum)
+
+    def kill(pid: int, signal: int, /) -> None:
+        if _get_ident() == main or pid != os.getpid() or not deliver(int(signal)):
+            sent(pid, signal)
+
+    def deliver(number: int) -> bool:
+        """Have a handler called; False if it has none."""
+        if number not in kernel.handlers:
+            return False
+        send(kernel, number)
+        return True
+
+    main, sent = _get_ident(), os.kill
+    module: Any = _signal
+    replaced: dict[str, Callable[..., Any]] = {
+        "signal": signal,
+        "getsignal": getsignal,
+        "set_wakeup_fd": set_wakeup_fd,
+        "raise_signal": raise_signal,
+        "pthread_kill": pthread_kill,
+    }
+    copies: Any = sys.modules.get("signal")  # has taken some of them as they are
+    for name, function in replaced.items():
+        setattr(module, name, function)
+        if copies is not None and name not in ("signal", "getsignal"):
+            setattr(copies, name, function)
+    system: Any = os
+    system.kill = kill
+    if _real_getsignal(_signal.SIGINT) is _signal.default_int_handler:
+        signal(_signal.SIGINT, _signal.default_int_handler)

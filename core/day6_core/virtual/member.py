@@ -1,0 +1,118 @@
+"""The coordinator, as every process but the first one sees it."""
+
+from __future__ import annotations
+
+import sys
+
+if sys.platform != "linux":
+    raise ImportError("there is no virtual time on this system")
+
+import os
+import select
+import signal
+import socket
+
+from day6_core.virtual.kernel import Kernel
+from day6_core.virtual.wire import NEVER, SIZE, Flag, Frame, Kind
+
+_poll, _raise_signal = select.poll, signal.raise_signal
+_recv, _send, _connect = socket.socket.recv, socket.socket.sendall, socket.socket.connect
+
+
+def idle_frame(kernel: Kernel) -> Frame:
+    """Return what a process tells of itself when it is idle."""
+    flags = Flag.RAN if kernel.ran else Flag(0)
+    kernel.ran = False
+    if any(not watch.told for watch in kernel.watched):
+        flags |= Flag.WATCHES
+    if kernel.holds:
+        flags |= Flag.HOLDS
+    deadline = kernel.deadline
+    return Frame(Kind.IDLE, flags, kernel.time(), NEVER if deadline is None else deadline)
+
+
+def deliver(kernel: Kernel, number: int) -> None:
+    """Let a signal take effect that another process of the world has sent."""
+    if number not in kernel.handlers:
+        _raise_signal(number)
+        return
+    if kernel.wakeup_fd >= 0:
+        os.write(kernel.wakeup_fd, bytes([number]))
+    kernel.deliver(number)
+
+
+class Member:
+    """Raises OSError if the world has ended."""
+
+    number = 0
+    """Of this process, in its world."""
+
+    def __init__(self, path: str) -> None:
+        self._socket = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
+        _connect(self._socket, path)
+        _send(self._socket, Frame(Kind.HELLO, first=os.getpid()).packed())
+        self._waiting: list[Frame] = []
+
+    def enter(self, kernel: Kernel) -> None:
+        """Wait for the first turn."""
+        kernel.now, kernel.read = self._until_go(kernel), 0
+
+    # -- for the coordinator -------------------------------------------------------------------------------------------
+
+    def spawned(self, pid: int) -> None:
+        """A process was started."""
+        self._waiting.append(Frame(Kind.SPAWNED, first=pid))
+
+    def touched(self, pid: int) -> None:
+        """Something was sent to a process."""
+        self._waiting.append(Frame(Kind.TOUCHED, first=pid))
+
+    def killed(self, target: int, number: int) -> None:
+        """A signal was sent to a process, or to a group if negative."""
+        self._waiting.append(Frame(Kind.KILLED, first=target, second=number))
+
+    def idle(self, kernel: Kernel) -> int:
+        """Wait for the next turn; return the time, ns."""
+        frames = [*self._waiting, idle_frame(kernel)]
+        self._waiting.clear()
+        self._send(frames)
+        return self._until_go(kernel)
+
+    def want(self) -> None:
+        """Something has come from outside."""
+        self._send([Frame(Kind.WANTS)])
+
+    def leave(self) -> None:
+        """Take part no more."""
+        self._socket.close()
+
+    def _send(self, frames: list[Frame]) -> None:
+        try:
+            _send(self._socket, b"".join(frame.packed() for frame in frames))
+        except OSError:
+            os._exit(1)
+
+    def _until_go(self, kernel: Kernel) -> int:
+        while True:
+            data = _recv(self._socket, SIZE, socket.MSG_WAITALL)
+            if len(data) < SIZE:
+                os._exit(1)  # the world has ended
+            frame = Frame.unpacked(data)
+            if frame.kind == Kind.GO:
+                self.number = self.number or frame.second
+                return frame.first
+            if frame.kind == Kind.SIGNAL:
+                deliver(kernel, frame.first)
+            elif frame.kind == Kind.SLEEP:
+                self._sleep(kernel)
+
+    def _sleep(self, kernel: Kernel) -> None:
+        """Wait until there is a frame, or until something comes from outside and the coordinator has been told."""
+        poll = _poll()
+        poll.register(self._socket, select.POLLIN)
+        for watch in kernel.watched:
+            for fd, events in watch.fds:
+                poll.register(fd, events)
+        found = [fd for fd, _ in poll.poll()]
+        if self._socket.fileno() not in found:
+            self.want()

@@ -1,0 +1,1 @@
+"""The folder on PYTHONPATH of every process in virtual time."""

@@ -1,0 +1,35 @@
+"""What a user is told of a world in virtual time."""
+
+from __future__ import annotations
+
+import os
+import sys
+
+from day6_core.language import language_of
+
+TOLD_AFTER = 2.0
+"""Real seconds for which time stands still before that is said."""
+
+_TEXTS = {
+    "en": {
+        "busy": "time stands still: {what} has been busy for 2 s without waiting",
+        "real": "time stands still: {what} waits for something real",
+        "foreign": "time stands still while {what} runs, which isn't a Python program",
+        "nothing": "nothing is left to happen: everybody waits for somebody else ({what})",
+    },
+    "zh": {
+        "busy": "时间停住了：{what} 已经忙了 2 秒没有等待",
+        "real": "时间停住了：{what} 在等真实世界里的东西",
+        "foreign": "{what} 不是 Python 程序，它运行时时间停住",
+        "nothing": "再也不会有事发生：大家都在等别人（{what}）",
+    },
+}
+
+
+def tell(kind: str, what: str) -> None:
+    """Write one line on standard error."""
+    language = language_of(os.environ)
+    colon = {"en": ": ", "zh": "："}[language]
+    text = _TEXTS[language][kind].format(what=what)
+    sys.stderr.write(f"day6-tui{colon}{text}\n")
+    sys.stderr.flush()

@@ -1,0 +1,195 @@
+"""Programs of one process, and those that start others, in virtual time: what they print is what the time of the world says."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.virtual.conftest import World
+
+pytestmark = pytest.mark.process
+
+PROGRAMS = {
+    "clocks": (
+        """
+import datetime, time
+print(time.time(), time.strftime("%F %T", time.gmtime()), datetime.datetime.now(datetime.timezone.utc))
+began = time.monotonic(), time.perf_counter(), time.time(), time.clock_gettime(time.CLOCK_MONOTONIC)
+time.sleep(3600)
+ended = time.monotonic(), time.perf_counter(), time.time(), time.clock_gettime(time.CLOCK_MONOTONIC)
+print(*(round(b - a, 3) for a, b in zip(began, ended)))
+day = datetime.date.today()
+print(repr(day), isinstance(day, datetime.date), repr(datetime.datetime.now().replace(microsecond=0)), datetime.datetime.max)
+print(isinstance(datetime.datetime.now(), datetime.date), datetime.datetime.min + datetime.timedelta(1))
+try: time.sleep(-1)
+except ValueError as error: print(error)
+""",
+        """\
+1767225600.000001 2026-01-01 00:00:00 2026-01-01 00:00:00.000003+00:00
+3600.0 3600.0 3600.0 3600.0
+datetime.date(2026, 1, 1) True datetime.datetime(2026, 1, 1, 1, 0) 9999-12-31 23:59:59.999999
+True 0001-01-02 00:00:00
+sleep length must be non-negative
+""",
+    ),
+    "a busy wait": (
+        """
+import threading, time
+threading.Timer(1, print, ["one second"]).start()
+end = time.time() + 2
+while time.time() < end: pass
+print("two", round(time.monotonic(), 2))
+""",
+        "one second\ntwo 2.0\n",
+    ),
+    "threads": (
+        """
+import concurrent.futures, queue, threading, time
+def now(): return round(time.monotonic(), 2)
+condition, box = threading.Condition(), []
+def produce():
+    time.sleep(5)
+    with condition: box.append(now()); condition.notify()
+thread = threading.Thread(target=produce); thread.start()
+with condition:
+    while not box: condition.wait(1.5)
+thread.join(); print(box, now(), thread.is_alive())
+with concurrent.futures.ThreadPoolExecutor(2) as pool:
+    print(list(pool.map(lambda s: (time.sleep(s), s)[1], [3, 2, 1])), now())
+q = queue.Queue()
+try: q.get(timeout=2)
+except queue.Empty: print("empty", now())
+event = threading.Event(); threading.Timer(1, event.set).start()
+print(event.wait(60), now())
+barrier = threading.Barrier(3)
+for n in 1, 2: threading.Thread(target=lambda n=n: (time.sleep(n), barrier.wait())).start()
+barrier.wait(); print(now())
+late = threading.Thread(target=lambda: (time.sleep(1), print("after the end", now()))); late.start()
+late.join(0.5); print(late.is_alive(), now())
+""",
+        "[5.0] 5.0 False\n[3, 2, 1] 8.0\nempty 10.0\nTrue 11.0\n13.0\nTrue 13.5\nafter the end 14.0\n",
+    ),
+    "asyncio": (
+        """
+import asyncio, sys, time
+async def main():
+    await asyncio.gather(asyncio.sleep(2), asyncio.to_thread(time.sleep, 3))
+    print(round(time.monotonic(), 2))
+    try: await asyncio.wait_for(asyncio.sleep(60), 1)
+    except asyncio.TimeoutError: print("timeout", round(time.monotonic(), 2))
+    code = "import time; time.sleep(1); print(round(time.monotonic(), 2))"
+    process = await asyncio.create_subprocess_exec(sys.executable, "-c", code, stdout=asyncio.subprocess.PIPE)
+    print(await process.communicate(), process.returncode, round(time.monotonic(), 2))
+asyncio.run(main())
+""",
+        "3.0\ntimeout 4.0\n(b'5.0\\n', None) 0 5.0\n",
+    ),
+    "processes": (
+        """
+import os, subprocess, sys, time
+def now(): return round(time.monotonic(), 2)
+code = "import time, sys; time.sleep(3); print(sys.stdin.read().strip(), round(time.monotonic(), 2)); sys.exit(4)"
+done = subprocess.run([sys.executable, "-c", code], input="hi", capture_output=True, text=True)
+print(done.stdout.strip(), done.returncode, now())
+try: subprocess.run([sys.executable, "-c", "import time; time.sleep(9)"], timeout=2)
+except subprocess.TimeoutExpired as error: print(round(error.timeout), now())
+pair = [subprocess.Popen([sys.executable, "-c", f"import time; time.sleep({n}); print({n})"]) for n in (2, 1)]
+print([each.wait() for each in pair], now())
+print(os.system(f'{sys.executable} -c "import time; time.sleep(1); raise SystemExit(5)"') >> 8, now())
+pid = os.fork()
+if not pid:
+    time.sleep(4); print("child", now()); os._exit(3)
+print(os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1]), now())
+print(subprocess.run(["sh", "-c", "sleep 0.01; echo real"], capture_output=True, text=True).stdout.strip(), now())
+script = f'{sys.executable} -c "import time; time.sleep(5)"; echo then; {sys.executable} -c "import time; time.sleep(5)"'
+print(subprocess.run(["sh", "-c", script], capture_output=True, text=True).stdout.strip(), now())
+""",
+        "hi 3.0 4 3.0\n2 5.0\n1\n2\n[0, 0] 7.0\n5 8.0\nchild 12.0\n3 12.0\nreal 12.0\nthen 22.0\n",
+    ),
+    "multiprocessing": (
+        """
+import multiprocessing, time
+def square(n): time.sleep(n); return n * n
+def put(queue, lock, n):
+    with lock: time.sleep(1); queue.put(n)
+if __name__ == "__main__":
+    multiprocessing.set_start_method("fork")
+    with multiprocessing.Pool(2) as pool: print(pool.map(square, [1, 2, 3]))
+    queue, lock = multiprocessing.Queue(), multiprocessing.Lock()
+    children = [multiprocessing.Process(target=put, args=(queue, lock, n)) for n in range(3)]
+    began = time.monotonic()
+    for child in children: child.start()
+    print(sorted(queue.get() for _ in children)); [child.join() for child in children]
+    print(round(time.monotonic() - began, 1), [child.exitcode for child in children])
+""",
+        "[1, 4, 9]\n[0, 1, 2]\n3.0 [0, 0, 0]\n",
+    ),
+    "signals": (
+        """
+import os, signal, subprocess, sys, threading, time
+def now(): return round(time.monotonic(), 2)
+signal.signal(signal.SIGUSR1, lambda number, frame: print("handler", number, now()))
+print(signal.getsignal(signal.SIGINT) is signal.default_int_handler)
+threading.Timer(1, os.kill, [os.getpid(), signal.SIGUSR1]).start()
+time.sleep(3); print(now())
+threading.Timer(1, signal.raise_signal, [signal.SIGINT]).start()
+try: time.sleep(9)
+except KeyboardInterrupt: print("interrupted", now())
+code = "import time\\ntry: time.sleep(99)\\nexcept KeyboardInterrupt: print('in the child', round(time.monotonic(), 2))"
+for number in signal.SIGINT, signal.SIGTERM, signal.SIGKILL:
+    child = subprocess.Popen([sys.executable, "-c", code]); time.sleep(1)
+    child.send_signal(number); print(child.wait(), now())
+""",
+        "True\nhandler 10 1.0\n3.0\ninterrupted 4.0\nin the child 5.0\n0 5.0\n-15 6.0\n-9 7.0\n",
+    ),
+    "chance": (
+        """
+import random, uuid, subprocess, sys
+first = random.random(), random.Random().random(), uuid.uuid4(), hash("x")
+again = random.Random(1).random() == __import__("random").Random(1).random()
+other = subprocess.run([sys.executable, "-c", "import random; print(random.random())"], capture_output=True, text=True)
+print(len(set(map(str, first))) == 4, again, float(other.stdout) != first[0])
+print(*first, other.stdout)
+""",
+        None,
+    ),
+}
+
+
+@pytest.mark.parametrize("name", PROGRAMS)
+def test_a_program_sees_the_time_of_the_world(world: World, name: str) -> None:
+    program, expected = PROGRAMS[name]
+    done = world.python(program)
+    assert (done.returncode, done.stderr) == (0, "")
+    if expected is None:
+        assert done.stdout.startswith("True True True\n")
+        expected = world.python(program).stdout
+    assert done.stdout == expected
+
+
+ERRORS = """
+import threading, time, traceback
+def fail():
+    time.sleep(1)
+    raise ValueError("in a thread")
+thread = threading.Thread(target=fail, name="worker"); thread.start(); thread.join()
+lock = threading.Lock()
+def deep():
+    try: lock.release()
+    except RuntimeError: raise OSError("second")
+try: deep()
+except OSError: traceback.print_exc()
+traceback.print_stack()
+try: __import__("queue").Queue().get(timeout=1)
+except Exception as error: print(traceback.format_exc())
+import os, signal
+threading.Timer(1, os.kill, [os.getpid(), signal.SIGINT]).start()
+time.sleep(60)
+"""
+
+
+def test_tracebacks_are_those_of_real_time(world: World) -> None:
+    fast = world.python(ERRORS)
+    real = world.run("python", "program.py")
+    assert fast.stderr == real.stderr
+    assert (fast.returncode, fast.stdout) == (real.returncode, real.stdout)
+    assert "KeyboardInterrupt" in fast.stderr
