@@ -32,7 +32,7 @@ class _Finder:
         for finder in sys.meta_path:
             if finder is _Finder:
                 continue
-            spec = finder.find_spec(name, path, target)
+            spec: Any = finder.find_spec(name, path, target)
             if spec is not None:
                 if spec.loader is not None:
                     spec.loader = _Loader(spec.loader, name)
