@@ -27,9 +27,9 @@ from contextlib import suppress
 
 from day6_core.virtual import processes
 from day6_core.virtual.kernel import Kernel
-from day6_core.virtual.member import idle_frame
+from day6_core.virtual.member import state_of
 from day6_core.virtual.told import TOLD_AFTER
-from day6_core.virtual.wire import NEVER, SIZE, Flag, Frame, Kind
+from day6_core.virtual.wire import NEVER, SIZE, Flag, Kind, packed, unpacked
 
 _poll = select.poll
 _recv, _send, _accept = socket.socket.recv, socket.socket.sendall, socket.socket.accept
@@ -52,7 +52,8 @@ class _Process:
         self.frames = b""
         """Not read yet."""
         self.deadline = NEVER
-        self.flags = Flag(0)
+        self.flags = 0
+        """Of `Flag`."""
         self.touched = True
         """Something has been sent to it."""
         self.signals: list[int] = []
@@ -72,9 +73,6 @@ class _Process:
     @property
     def is_idle(self) -> bool:
         return self.socket is not None and not self.runs and not self.is_stopped
-
-    def is_due(self, now: int) -> bool:
-        return self.touched or bool(self.signals) or NEVER != self.deadline <= now
 
 
 class Coordinator:
@@ -142,9 +140,8 @@ class Coordinator:
     def idle(self, kernel: Kernel) -> int:
         """Let the others go on until it is the first process's turn; return the time, ns."""
         own = self._own
-        frame = idle_frame(kernel)
-        own.flags, own.deadline = Flag(frame.flags), frame.second
-        self._advance(frame.first)
+        own.flags, time, own.deadline = state_of(kernel)
+        self._advance(time)
         if own.flags & Flag.RAN:
             self._turns += 1
         while not kernel.has_turn and not self._is_own_turn(kernel):
@@ -172,30 +169,36 @@ class Coordinator:
 
     def _next(self) -> _Process | None:
         """Return who goes on, after its GO where it needs one."""
-        members = self._members.values()
-        starting = next((each for each in members if each.runs and not each.is_real), None)
-        if starting is not None:
-            return starting
-        if any(each.is_real and each.socket is not None for each in members):
-            self._hear([each for each in members if each.is_real])
-        member = next((each for each in members if each.is_idle and each.is_due(self._now)), None)
-        if member is None:
-            member = next((each for each in members if each.is_idle and self._may_look(each)), None)
+        now, turns = self._now, self._turns
+        due: _Process | None = None
+        looking: _Process | None = None
+        real: list[_Process] = []
+        for each in self._members.values():
+            if each.is_real:
+                real.append(each)
+            elif each.runs:
+                return each
+            elif each.is_stopped:
+                continue
+            elif each.touched or each.signals or NEVER != each.deadline <= now:
+                due = due or each
+            elif each.flags & Flag.WATCHES and each.seen < turns:
+                looking = looking or each
+        self._hear(real)
+        member = due or looking
         if member is not None:
             self._go(member)
         return member
 
-    def _may_look(self, member: _Process) -> bool:
-        return bool(member.flags & Flag.WATCHES) and member.seen < self._turns
-
     def _go(self, member: _Process) -> None:
-        frames = [Frame(Kind.SIGNAL, first=number) for number in member.signals]
-        frames.append(Frame(Kind.GO, first=self._now, second=member.number))
-        member.signals.clear()
+        frames = packed(Kind.GO, 0, self._now, member.number)
+        if member.signals:
+            frames = b"".join((*(packed(Kind.SIGNAL, 0, number, 0) for number in member.signals), frames))
+            member.signals.clear()
         member.touched, member.runs, self._running = False, True, member
         assert member.socket is not None
         try:
-            _send(member.socket, b"".join(frame.packed() for frame in frames))
+            _send(member.socket, frames)
         except OSError:
             return  # it has been killed, which shows when it is followed
 
@@ -239,7 +242,7 @@ class Coordinator:
             if len(data) < SIZE:
                 connected.close()
                 return
-            pid = Frame.unpacked(data).first
+            pid = unpacked(data)[2]
             if pid not in self._members:
                 self._note_stranger(pid)
             member = self._members[pid]
@@ -285,24 +288,24 @@ class Coordinator:
             return
         member.frames += data
         while len(member.frames) >= SIZE:
-            frame = Frame.unpacked(member.frames[:SIZE])
+            kind, flags, first, second = unpacked(member.frames[:SIZE])
             member.frames = member.frames[SIZE:]
-            if frame.kind == Kind.TOUCHED:
-                self.touched(frame.first)
-            elif frame.kind == Kind.SPAWNED:
-                if frame.first not in self._members:
-                    self.spawned(frame.first)
-            elif frame.kind == Kind.KILLED:
-                self.killed(frame.first, frame.second)
-            elif frame.kind == Kind.WANTS:
-                member.touched = True
-            elif frame.kind == Kind.IDLE:
-                self._advance(frame.first)
-                member.deadline, member.flags = frame.second, Flag(frame.flags)
+            if kind == Kind.IDLE:
+                self._advance(first)
+                member.deadline, member.flags = second, flags
                 member.runs = member.is_real = False
-                if member.flags & Flag.RAN:
+                if flags & Flag.RAN:
                     self._turns += 1
                 member.seen = self._turns
+            elif kind == Kind.TOUCHED:
+                self.touched(first)
+            elif kind == Kind.SPAWNED:
+                if first not in self._members:
+                    self.spawned(first)
+            elif kind == Kind.KILLED:
+                self.killed(first, second)
+            elif kind == Kind.WANTS:
+                member.touched = True
 
     def _signal(self, pid: int, number: int) -> None:
         if pid == self._own.pid:
@@ -330,21 +333,25 @@ class Coordinator:
 
     def _pass(self, kernel: Kernel) -> bool:
         """Nobody has anything left to do now: let time pass to the next moment; False if it can't."""
-        everybody = (self._own, *self._members.values())
-        if any(each.flags & Flag.HOLDS and not each.is_stopped for each in everybody):
+        first = NEVER
+        for each in (self._own, *self._members.values()):
+            if each.is_stopped:
+                continue
+            if each.flags & Flag.HOLDS or (each.is_real and not each.starts_others):
+                return False
+            if each.deadline != NEVER and (first == NEVER or each.deadline < first):
+                first = each.deadline
+        if first == NEVER:
             return False
-        if any(each.is_real and not each.starts_others for each in everybody):
-            return False
-        deadlines = [each.deadline for each in everybody if each.deadline != NEVER and not each.is_stopped]
-        if not deadlines:
-            return False
-        self._advance(min(deadlines))
-        self._hear(each for each in self._members.values() if each.is_idle)
+        self._advance(first)
+        self._hear(each for each in self._members.values() if each.socket is not None)
         return True
 
     def _hear(self, members: Iterable[_Process]) -> None:
         """Take what processes have said unasked."""
         by_fd = {each.socket.fileno(): each for each in members if each.socket is not None}
+        if not by_fd:
+            return
         for fd in self._poll(by_fd, 0):
             self._take(by_fd[fd])
 
@@ -355,7 +362,7 @@ class Coordinator:
         for member in self._members.values():
             if member.is_idle and member.socket is not None:
                 try:
-                    _send(member.socket, Frame(Kind.SLEEP).packed())
+                    _send(member.socket, packed(Kind.SLEEP, 0, 0, 0))
                 except OSError:
                     continue
             if member.socket is not None:

@@ -259,9 +259,15 @@ class Kernel:
         return [wait.watch for wait in self._watching if wait.watch is not None]
 
     @property
-    def holds(self) -> bool:
-        """Whether a thread waits for something from outside, for as long as it takes."""
-        return any(wait.watch is not None and wait.watch.holds and wait.deadline < 0 for wait in self._watching)
+    def watches(self) -> tuple[bool, bool]:
+        """Whether a thread watches something that nobody tells of, and for something from outside, as long as it takes."""
+        watches = holds = False
+        for wait in self._watching:
+            watch = wait.watch
+            if watch is not None and not watch.told:
+                watches = True
+                holds = holds or (watch.holds and wait.deadline < 0)
+        return watches, holds
 
     @property
     def deadline(self) -> int | None:

@@ -13,22 +13,23 @@ import signal
 import socket
 
 from day6_core.virtual.kernel import Kernel
-from day6_core.virtual.wire import NEVER, SIZE, Flag, Frame, Kind
+from day6_core.virtual.wire import NEVER, SIZE, Flag, Kind, packed, unpacked
 
 _poll, _raise_signal = select.poll, signal.raise_signal
 _recv, _send, _connect = socket.socket.recv, socket.socket.sendall, socket.socket.connect
 
 
-def idle_frame(kernel: Kernel) -> Frame:
-    """Return what a process tells of itself when it is idle."""
-    flags = Flag.RAN if kernel.ran else Flag(0)
+def state_of(kernel: Kernel) -> tuple[int, int, int]:
+    """Return what a process tells of itself when it is idle: its flags, its time, and until when it waits."""
+    flags = Flag.RAN if kernel.ran else 0
     kernel.ran = False
-    if any(not watch.told for watch in kernel.watched):
+    watches, holds = kernel.watches
+    if watches:
         flags |= Flag.WATCHES
-    if kernel.holds:
-        flags |= Flag.HOLDS
+        if holds:
+            flags |= Flag.HOLDS
     deadline = kernel.deadline
-    return Frame(Kind.IDLE, flags, kernel.time(), NEVER if deadline is None else deadline)
+    return flags, kernel.now + kernel.read, NEVER if deadline is None else deadline
 
 
 def deliver(kernel: Kernel, number: int) -> None:
@@ -50,8 +51,8 @@ class Member:
     def __init__(self, path: str) -> None:
         self._socket = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
         _connect(self._socket, path)
-        _send(self._socket, Frame(Kind.HELLO, first=os.getpid()).packed())
-        self._waiting: list[Frame] = []
+        _send(self._socket, packed(Kind.HELLO, 0, os.getpid(), 0))
+        self._waiting: list[bytes] = []
 
     def enter(self, kernel: Kernel) -> None:
         """Wait for the first turn."""
@@ -61,34 +62,36 @@ class Member:
 
     def spawned(self, pid: int) -> None:
         """A process was started."""
-        self._waiting.append(Frame(Kind.SPAWNED, first=pid))
+        self._waiting.append(packed(Kind.SPAWNED, 0, pid, 0))
 
     def touched(self, pid: int) -> None:
         """Something was sent to a process."""
-        self._waiting.append(Frame(Kind.TOUCHED, first=pid))
+        self._waiting.append(packed(Kind.TOUCHED, 0, pid, 0))
 
     def killed(self, target: int, number: int) -> None:
         """A signal was sent to a process, or to a group if negative."""
-        self._waiting.append(Frame(Kind.KILLED, first=target, second=number))
+        self._waiting.append(packed(Kind.KILLED, 0, target, number))
 
     def idle(self, kernel: Kernel) -> int:
         """Wait for the next turn; return the time, ns."""
-        frames = [*self._waiting, idle_frame(kernel)]
-        self._waiting.clear()
-        self._send(frames)
+        frame = packed(Kind.IDLE, *state_of(kernel))
+        if self._waiting:
+            frame = b"".join((*self._waiting, frame))
+            self._waiting.clear()
+        self._send(frame)
         return self._until_go(kernel)
 
     def want(self) -> None:
         """Something has come from outside."""
-        self._send([Frame(Kind.WANTS)])
+        self._send(packed(Kind.WANTS, 0, 0, 0))
 
     def leave(self) -> None:
         """Take part no more."""
         self._socket.close()
 
-    def _send(self, frames: list[Frame]) -> None:
+    def _send(self, frames: bytes) -> None:
         try:
-            _send(self._socket, b"".join(frame.packed() for frame in frames))
+            _send(self._socket, frames)
         except OSError:
             os._exit(1)
 
@@ -97,13 +100,13 @@ class Member:
             data = _recv(self._socket, SIZE, socket.MSG_WAITALL)
             if len(data) < SIZE:
                 os._exit(1)  # the world has ended
-            frame = Frame.unpacked(data)
-            if frame.kind == Kind.GO:
-                self.number = self.number or frame.second
-                return frame.first
-            if frame.kind == Kind.SIGNAL:
-                deliver(kernel, frame.first)
-            elif frame.kind == Kind.SLEEP:
+            kind, _, first, second = unpacked(data)
+            if kind == Kind.GO:
+                self.number = self.number or second
+                return int(first)
+            if kind == Kind.SIGNAL:
+                deliver(kernel, first)
+            elif kind == Kind.SLEEP:
                 self._sleep(kernel)
 
     def _sleep(self, kernel: Kernel) -> None:

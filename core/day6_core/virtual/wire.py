@@ -1,19 +1,24 @@
-"""What the processes of a world in virtual time and its coordinator tell each other: frames of one size over a Unix socket."""
+"""What the processes of a world in virtual time and its coordinator tell each other: frames of one size over a Unix socket.
+
+A frame is a kind, flags and two numbers. There are thousands a second, so they are plain tuples and plain integers.
+"""
 
 from __future__ import annotations
 
-from enum import IntEnum, IntFlag
 from struct import Struct
-from typing import NamedTuple
 
 NEVER = -1
 """In place of a time."""
 
 _FRAME = Struct("<BBqq")
 SIZE = _FRAME.size
+packed = _FRAME.pack
+"""Return the bytes of a frame: kind, flags, first and second number."""
+unpacked = _FRAME.unpack
+"""Return what was packed."""
 
 
-class Kind(IntEnum):
+class Kind:
     """The kinds of frames, and what their two numbers are."""
 
     HELLO = 1
@@ -25,18 +30,18 @@ class Kind(IntEnum):
     SPAWNED = 4
     """It has started a process: its number."""
     KILLED = 5
-    """It has sent a signal to a process: the process's number and the signal's."""
+    """It has sent a signal to a process, or to a group if the first number is negative; the second is the signal's."""
     WANTS = 6
     """Something has come from outside while it was idle."""
     GO = 7
-    """It may go on: the time."""
+    """It may go on: the time, and the process's number in the world."""
     SIGNAL = 8
     """Before GO: a signal for it, its number."""
     SLEEP = 9
     """Nothing will happen before something comes from outside: it has to watch its own descriptors."""
 
 
-class Flag(IntFlag):
+class Flag:
     """What a process tells of itself when it is idle."""
 
     RAN = 1
@@ -45,21 +50,3 @@ class Flag(IntFlag):
     """It waits for descriptors of which nobody tells it when something comes."""
     HOLDS = 4
     """It waits for something from outside, as long as it takes: time stands still."""
-
-
-class Frame(NamedTuple):
-    """One frame."""
-
-    kind: int
-    flags: int = 0
-    first: int = 0
-    second: int = 0
-
-    def packed(self) -> bytes:
-        """Return its bytes."""
-        return _FRAME.pack(*self)
-
-    @classmethod
-    def unpacked(cls, data: bytes) -> Frame:
-        """Return the frame of SIZE bytes."""
-        return cls(*_FRAME.unpack(data))
