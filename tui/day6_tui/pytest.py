@@ -26,7 +26,7 @@ import day6_core
 if TYPE_CHECKING:
     from day6_core.workspace.repository import Repository
 
-_ROS = os.path.join(os.path.dirname(os.path.realpath(day6_core.__file__)), "ros")
+_ROS = os.path.join(os.path.realpath(day6_core.__path__[0]), "ros")  # a program's day6_core has its file elsewhere
 _PYTHON = os.path.join(_ROS, "python")
 """The first of `day6_core.ros.environment.python_folders`, of which nothing is imported before it is needed."""
 

@@ -16,6 +16,7 @@ import tempfile
 import time
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
+from functools import partial
 from pathlib import Path
 
 from day6_core.guardian import MARK, end_marked, new_mark
@@ -50,28 +51,28 @@ def environment_of_test(variables: Mapping[str, str], folder: Path) -> dict[str,
 def own_graph(variables: Mapping[str, str]) -> Iterator[dict[str, str]]:
     """Provide the variables of a test process; afterwards end what it has left running, and remove its folder."""
     folder = _make_folder()
+    env = {**environment_of_test(variables, folder), RUN: "1"}
+    end = partial(_end, folder, env[MARK], os.getpid())
+    atexit.register(end)  # whoever is interrupted may not come back here
     try:
-        env = {**environment_of_test(variables, folder), RUN: "1"}
-        try:
-            yield env
-        finally:
-            end_marked(env[MARK])
+        yield env
     finally:
-        shutil.rmtree(folder, ignore_errors=True)
+        end()
+        atexit.unregister(end)
 
 
 def graph_until_exit(variables: Mapping[str, str]) -> tuple[Path, dict[str, str]]:
     """Make a graph for this process itself; returns its folder and the variables to take. All of it ends with this process."""
-    folder, process = _make_folder(), os.getpid()
+    folder = _make_folder()
     env = environment_of_test(variables, folder)
-
-    def end() -> None:
-        if os.getpid() == process:  # not in the child of a fork
-            end_marked(env[MARK])
-            shutil.rmtree(folder, ignore_errors=True)
-
-    atexit.register(end)
+    atexit.register(_end, folder, env[MARK], os.getpid())
     return folder, env
+
+
+def _end(folder: Path, mark: str, process: int) -> None:
+    if os.getpid() == process:  # not in the child of a fork
+        end_marked(mark)
+        shutil.rmtree(folder, ignore_errors=True)
 
 
 def _make_folder() -> Path:

@@ -17,6 +17,8 @@ from day6_core.workspace.meta import Meta, MetaFiles, Warn
 
 IGNORE_MARKER = "COLCON_IGNORE"
 _IGNORE_MARKERS = (IGNORE_MARKER, "AMENT_IGNORE", "CATKIN_IGNORE")
+_VENV = "pyvenv.cfg"
+"""In an environment of Python, whose site-packages are none of the workspace. The real colcon wants a marker there, too."""
 _IDENTIFICATION = "colcon.colcon_core.package_identification"
 
 
@@ -101,7 +103,7 @@ def _expanded(paths: Iterable[str], cwd: Path) -> Iterator[Path]:
 
 
 def _is_ignored(folder: Path) -> bool:
-    return any(os.path.lexists(folder / name) for name in _IGNORE_MARKERS)
+    return any(os.path.lexists(folder / name) for name in (*_IGNORE_MARKERS, _VENV))
 
 
 def _crawl(root: Path, seen: set[Path]) -> Iterator[Path]:
