@@ -50,7 +50,7 @@ def test_a_workspace_is_built_and_tested_and_nothing_is_left(tmp_path: Path) -> 
     before = files_in(tmp_path)
     done = run(tmp_path)
     assert (done.status, done.err) == (0, ""), done
-    assert lines(done) == ["levels: no tests", "counter: passed, 3 passed", "", "2 packages, tests: 3 passed"]
+    assert lines(done) == ["levels: no tests", "counter: passed, 3 passed", "", "packages: 2; tests: 3 passed"]
     assert files_in(tmp_path) == before
 
 
@@ -66,7 +66,7 @@ def test_what_failed_is_said_in_the_words_of_pytest_and_the_others_are_tested(tm
         "failed:",
         "  bad: bad.test.test_sum::test_sum: assert (1 + 1) == 3",
         "",
-        "2 packages, tests: 1 passed, 1 failed",
+        "packages: 2; tests: 1 passed, 1 failed",
     ]
 
 
@@ -105,7 +105,7 @@ def test_skipped_tests_are_told_with_their_reasons_and_alone_are_not_green(tmp_p
         "skipped:",
         "  robot: robot.test.test_robot::test_robot: no robot here",
         "",
-        "1 packages, tests: 1 skipped",
+        "packages: 1; tests: 1 skipped",
         "no test was run",
     ]
     write(tmp_path, {"test/test_sum.py": PASSES})
@@ -149,7 +149,7 @@ def test_tests_that_cannot_be_collected_are_red(tmp_path: Path) -> None:
     python_package(tmp_path, test__test_it="import quite_unknown\n", test__test_sum=PASSES)
     done = run(tmp_path)
     assert done.status == 1 and "No module named 'quite_unknown'" in done.out
-    assert lines(done)[-1].startswith("1 packages, tests: ") and "1 failed" in lines(done)[-1]
+    assert lines(done)[-1].startswith("packages: 1; tests: ") and "1 failed" in lines(done)[-1]
 
 
 @pytest.mark.process
@@ -203,7 +203,7 @@ def test_an_environment_of_python_in_the_workspace_is_not_taken_for_packages(tmp
         tmp_path / "venv", {"pyvenv.cfg": "", "lib/std_msgs/package.xml": MANIFEST.format(name="x", needs="", kind="y")}
     )
     done = run(tmp_path)
-    assert (done.status, lines(done)[-1]) == (0, "1 packages, tests: 1 passed"), done
+    assert (done.status, lines(done)[-1]) == (0, "packages: 1; tests: 1 passed"), done
 
 
 @pytest.mark.process

@@ -21,6 +21,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from day6_core.command_line.parser import CommandParser, command_parser
 from day6_core.command_line.values import Values
 from day6_core.language import language_of
+from day6_core.reason import reason, reason_and_name
 
 if TYPE_CHECKING:
     from day6_core.command_line.texts import Wording
@@ -139,8 +140,10 @@ class _Run:
             self._hand_over_results()
         except ParserExit as end:
             return end.status
-        except (SelectionError, OrderError, OSError) as error:
+        except (SelectionError, OrderError) as error:
             return report.nothing(str(error))
+        except OSError as error:
+            return report.nothing(reason_and_name(error))
         return report.end(allow_none=self._options.allow_no_tests)
 
     def _hand_over_results(self) -> None:
@@ -280,8 +283,8 @@ class Report:
                     found[name, case.reason[:_LONGEST_REASON]].append(case.name)
         if found:
             self._console.out(f"\n{self._texts(f'cli.test.{outcome}_tests')}\n")
-        for (name, reason), tests in found.items():
-            text = ": ".join(filter(None, (name, ", ".join(tests), reason)))
+        for (name, why), tests in found.items():
+            text = ": ".join(filter(None, (name, ", ".join(tests), why)))
             self._console.out(f"  {one_line(text)}\n")
 
     def _counts(self, cases: list[Case]) -> str:
@@ -299,13 +302,13 @@ def read_cases(folder: Path) -> list[Case]:
         try:
             root = plain_xml(path.read_bytes())
         except (OSError, ValueError) as error:
-            cases.append(Case(path.name, "failed", str(error)))
+            cases.append(Case(path.name, "failed", reason(error)))
             continue
         for case in root.iter("testcase"):
             name = "::".join(filter(None, (case.get("classname"), case.get("name"))))
             bad = [node for kind in ("failure", "error") for node in case.findall(kind)]
             left_out = [node for kind in ("skipped", "skip", "disabled") for node in case.findall(kind)]
             outcome = "failed" if bad else "skipped" if left_out else "passed"
-            reason = next((node.get("message") or node.text or "" for node in (*bad, *left_out)), "")
-            cases.append(Case(name, outcome, reason))
+            why = next((node.get("message") or node.text or "" for node in (*bad, *left_out)), "")
+            cases.append(Case(name, outcome, why))
     return cases

@@ -324,7 +324,7 @@ TEXTS = {
     "cli.test.failed_tests": "failed:",
     "cli.test.skipped_tests": "skipped:",
     "cli.test.untested": "not tested, because something was not built: {names}",
-    "cli.test.sum": "{count} packages, tests: {tests}",
+    "cli.test.sum": "packages: {count}; tests: {tests}",
     "cli.test.none_ran": "no test was run",
     "cli.export": "Pack packages into a zip for a real ROS 2.\nThey build there unchanged.",
     "cli.export.packages": "names of packages (default: all)",
