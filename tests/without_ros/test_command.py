@@ -197,6 +197,17 @@ def test_a_folder_without_packages_is_told(tmp_path: Path) -> None:
 
 
 @pytest.mark.process
+def test_a_repository_without_packages_has_its_tests_run(tmp_path: Path) -> None:
+    test = "import rclpy\n\n\ndef test_node():\n    rclpy.init()\n    assert rclpy.create_node('n').get_node_names() == ['n']\n"
+    write(tmp_path / "library", {"tests/test_it.py": test})
+    done = run(tmp_path / "library", "--junit-dir", str(tmp_path / "results"))
+    assert (done.status, lines(done)[0]) == (0, "library: passed, 1 passed"), done
+    assert (tmp_path / "results/library/pytest.xml").is_file()
+    write(tmp_path / "library", {"tests/test_it.py": FAILS})
+    assert run(tmp_path / "library").status == 1
+
+
+@pytest.mark.process
 def test_an_environment_of_python_in_the_workspace_is_not_taken_for_packages(tmp_path: Path) -> None:
     python_package(tmp_path / "src/counter", test__test_sum=PASSES)
     write(

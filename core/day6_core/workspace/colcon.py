@@ -135,7 +135,7 @@ class Colcon:
     def build(self) -> int:
         """Run `colcon build`; returns the exit status."""
         args = self.args
-        settings = self._settings()
+        settings = self.settings()
         _mark_build_tool(settings)
         _mark_layout(settings, args)
         for folder in (settings.build_base, settings.install_base):
@@ -148,14 +148,14 @@ class Colcon:
         self.selected = [each.package.name for each in planned if each.selected]
         if text := overriding.warning(self.selected, args.allow_overriding, settings.install_base, self.environment):
             self.warn(LOGGER, text)
-        outcome = self._execute(jobs, OnError.SKIP_DOWNSTREAM if args.continue_on_error else OnError.INTERRUPT)
+        outcome = self.execute(jobs, OnError.SKIP_DOWNSTREAM if args.continue_on_error else OnError.INTERRUPT)
         chained = self._chained(settings.install_base)
         write_workspace_scripts(settings.output, settings.install_base, chained)
         return outcome
 
     def test(self) -> int:
         """Run `colcon test`; returns the exit status."""
-        settings = self._settings()
+        settings = self.settings()
         if settings.install_base.is_dir():
             _mark_layout(settings, self.args)
         if not settings.build_base.is_dir():
@@ -170,7 +170,7 @@ class Colcon:
             return test(package, settings, work, failures)
 
         jobs = self._jobs(planned, "test", settings, lambda package: run if find_task(package) else None)
-        outcome = self._execute(jobs, OnError.INTERRUPT if self.args.abort_on_error else OnError.CONTINUE)
+        outcome = self.execute(jobs, OnError.INTERRUPT if self.args.abort_on_error else OnError.CONTINUE)
         return 1 if not outcome and failures and self.args.return_code_on_test_failure else outcome
 
     def list_(self) -> int:
@@ -203,7 +203,8 @@ class Colcon:
 
     # -- running the jobs ----------------------------------------------------------------------------------------------
 
-    def _settings(self) -> BuildSettings:
+    def settings(self) -> BuildSettings:
+        """Return what tasks need; its folders for output hold no sources."""
         args = self.args
         build, install = ((self.cwd / base).absolute() for base in (args.build_base, args.install_base))
         results = (self.cwd / args.test_result_base).absolute() if args.test_result_base else None
@@ -246,7 +247,8 @@ class Colcon:
             )
         return jobs
 
-    def _execute(self, jobs: list[Job], on_error: OnError) -> int:
+    def execute(self, jobs: list[Job], on_error: OnError) -> int:
+        """Run jobs, with what is printed and logged of them; returns the exit status."""
         handlers = chosen_handlers(self.args.event_handlers or [], self.console, self.args.verb_name, self.log)
         events = Events([*handlers, *self._handlers, self._advisor])
         executor_name = self.args.executor or self.environment.get("COLCON_DEFAULT_EXECUTOR")

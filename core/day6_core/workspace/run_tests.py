@@ -26,6 +26,7 @@ from day6_core.reason import reason, reason_and_name
 if TYPE_CHECKING:
     from day6_core.command_line.texts import Wording
     from day6_core.session.session import Session
+    from day6_core.workspace.colcon import Colcon
     from day6_core.workspace.events import BuildEvent, Console
     from day6_core.workspace.style import Style
 
@@ -39,6 +40,18 @@ _SILENT = tuple(
 _MOST_OUTPUT = 1_000_000
 """Characters of a package's output that are kept; of more the end is shown."""
 _LONGEST_REASON = 200
+_OF_PYTEST = (
+    "pyproject.toml",
+    "pytest.ini",
+    "tox.ini",
+    "setup.cfg",
+    "conftest.py",
+    "test",
+    "tests",
+    "test_*.py",
+    "*_test.py",
+)
+"""What a repository has whose tests are run though there is no package."""
 _INTERRUPTED = 130
 
 
@@ -110,7 +123,8 @@ class _Run:
         report = Report(console, self._texts, self._results)
 
         def colcon(verb: str, *words: str) -> Colcon:
-            bases = (f"--{name}-base={self._folder / name}" for name in ("build", "install"))
+            bases = [f"--{name}-base={self._folder / name}" for name in ("build", "install")]
+            bases += [f"--test-result-base={self._results}"] if verb == "test" else []
             workers = self._options.parallel_workers
             words = (
                 *(f"--log-base={self._folder / 'log'}", verb, *bases, *words, "--event-handlers", *_SILENT),
@@ -129,14 +143,15 @@ class _Run:
         try:
             chosen = [each.package.name for each in colcon("test", *self._selection()).planned() if each.selected]
             if not chosen:
-                return report.nothing(self._texts("cli.test.no_package", workspace=self._workspace))
+                if self._selection() or not any(any(self._workspace.glob(each)) for each in _OF_PYTEST):
+                    return report.nothing(self._texts("cli.test.no_package", workspace=self._workspace))
+                return await self._plain(colcon("test", *self._pytest_args()), report)
             if not await run("build", "--continue-on-error", "--packages-up-to", *chosen):
                 return _INTERRUPTED
             report.expect(chosen)
-            if ready := report.ready():
-                base = f"--test-result-base={self._results}"
-                if not await run("test", base, *self._pytest_args(), "--packages-select", *ready):
-                    return _INTERRUPTED
+            ready = report.ready()
+            if ready and not await run("test", *self._pytest_args(), "--packages-select", *ready):
+                return _INTERRUPTED
             self._hand_over_results()
         except ParserExit as end:
             return end.status
@@ -145,6 +160,25 @@ class _Run:
         except OSError as error:
             return report.nothing(reason_and_name(error))
         return report.end(allow_none=self._options.allow_no_tests)
+
+    async def _plain(self, colcon: Colcon, report: Report) -> int:
+        """Run pytest in a repository without packages; returns the exit status."""
+        from day6_core.workspace.command import in_thread
+        from day6_core.workspace.jobs import Job, OnError, Work
+        from day6_core.workspace.package_tests import test
+        from day6_core.workspace.packages import Package
+
+        package = Package(self._workspace.name, "python", self._workspace, ".")
+        settings, failures = colcon.settings(), list[str]()
+
+        def run(work: Work) -> int:
+            return test(package, settings, work, failures)
+
+        report.verb = "test"
+        report.expect([package.name])
+        await in_thread(lambda: colcon.execute([Job(package.name, set(), run)], OnError.CONTINUE), colcon.interrupt)
+        self._hand_over_results()
+        return _INTERRUPTED if colcon.interrupted else report.end(allow_none=self._options.allow_no_tests)
 
     def _hand_over_results(self) -> None:
         if self._options.junit_dir is not None:
@@ -231,7 +265,8 @@ class Report:
 
         took = duration(time.monotonic() - self._began[name])
         word = self._styled(Style.ERROR, self._texts(key)) if bad else self._texts(key)
-        self._console.out(f"{one_line(name)}: {word}{f', {counts}' if counts else ''} [{took}]\n")
+        told = self._texts("cli.test.comma").join(filter(None, (word, counts)))
+        self._console.out(f"{one_line(name)}: {told} [{took}]\n")
 
     def _styled(self, style: Style, text: str) -> str:
         return self._console.out_style(style, text)
@@ -290,7 +325,8 @@ class Report:
     def _counts(self, cases: list[Case]) -> str:
         outcomes = [case.outcome for case in cases]
         counts = ((key, outcomes.count(key)) for key in ("passed", "failed", "skipped"))
-        return ", ".join(self._texts(f"cli.test.count.{key}", count=count) for key, count in counts if count)
+        comma = self._texts("cli.test.comma")
+        return comma.join(self._texts(f"cli.test.count.{key}", count=count) for key, count in counts if count)
 
 
 def read_cases(folder: Path) -> list[Case]:

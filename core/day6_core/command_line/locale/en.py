@@ -318,6 +318,7 @@ TEXTS = {
     "cli.test.skipped": "skipped",
     "cli.test.not_built": "NOT BUILT",
     "cli.test.no_tests": "no tests",
+    "cli.test.comma": ", ",
     "cli.test.count.passed": "{count} passed",
     "cli.test.count.failed": "{count} failed",
     "cli.test.count.skipped": "{count} skipped",

@@ -283,6 +283,7 @@ TEXTS = {
     "cli.test.skipped": "跳过",
     "cli.test.not_built": "编译失败",
     "cli.test.no_tests": "没有测试",
+    "cli.test.comma": "，",
     "cli.test.count.passed": "{count} 个通过",
     "cli.test.count.failed": "{count} 个失败",
     "cli.test.count.skipped": "{count} 个跳过",
