@@ -238,16 +238,18 @@ def test_results_are_read_from_all_kinds_of_files(tmp_path: Path) -> None:
     cases = (
         '<testcase classname="a" name="good"/><testcase name="bad"><failure message="no">text</failure></testcase>'
         '<testcase name="worse"><error>text</error></testcase><testcase name="out"><skipped type="x" message="why"/></testcase>'
+        '<testcase name="known"><skipped type="pytest.xfail" message="later"/></testcase>'
     )
     write(
         tmp_path,
         {"p/pytest.xml": f"<testsuites><testsuite>{cases}</testsuite></testsuites>", "p/q/broken.xml": "<testsuite>"},
     )
     found = read_cases(tmp_path / "p")
-    assert found[:4] == [
+    assert found[:5] == [
         Case("a::good", "passed", ""),
         Case("bad", "failed", "no"),
         Case("worse", "failed", "text"),
         Case("out", "skipped", "why"),
+        Case("known", "xfailed", "later"),
     ]
-    assert (found[4].name, found[4].outcome) == ("broken.xml", "failed")
+    assert (found[5].name, found[5].outcome) == ("broken.xml", "failed")

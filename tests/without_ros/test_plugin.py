@@ -86,6 +86,16 @@ def test_all_of_it():
         assert done.status == 0, done
 
 
+def test_what_a_repository_needs_of_another_one_beside_it_is_built(tmp_path: Path) -> None:
+    (message_package(tmp_path / "src/messages/levels") / "../.git").mkdir()
+    test = "from levels.msg import Level\n\n\ndef test_it():\n    assert Level()\n"
+    own = python_package(tmp_path / "src/robot/counter", needs="<depend>levels</depend>", test__test_it=test)
+    (own / "../.git").mkdir()
+    write(python_package(tmp_path / "src/other", "other"), {"setup.py": "raise OSError('nobody needs it')\n"})
+    done = pytest_in(own.parent)
+    assert done.status == 0 and "warning" not in done.out, done
+
+
 def test_a_package_that_cannot_be_built_is_told_and_the_tests_of_others_run(tmp_path: Path) -> None:
     python_package(tmp_path / "src/counter", test__test_counter=TEST_COUNTER)
     write(python_package(tmp_path / "src/broken", "broken"), {"setup.py": "raise OSError('no such luck')\n"})

@@ -63,7 +63,7 @@ def find_packages(
                 found.append(package)
                 seen.add(folder.resolve())
     for folder in _expanded(paths, cwd):
-        if folder.is_dir() and folder.resolve() not in seen and not _is_ignored(folder):
+        if folder.is_dir() and folder.resolve() not in seen and not is_ignored(folder):
             seen.add(folder.resolve())
             package = identify(folder, _shown(folder, cwd), environment, warn, metas)
             if package is not None:
@@ -102,7 +102,8 @@ def _expanded(paths: Iterable[str], cwd: Path) -> Iterator[Path]:
         yield from (cwd / name for name in names if "*" not in path or (cwd / name).is_dir())
 
 
-def _is_ignored(folder: Path) -> bool:
+def is_ignored(folder: Path) -> bool:
+    """Return whether no packages are looked for in a folder and below it."""
     return any(os.path.lexists(folder / name) for name in (*_IGNORE_MARKERS, _VENV))
 
 
@@ -112,7 +113,7 @@ def _crawl(root: Path, seen: set[Path]) -> Iterator[Path]:
     while waiting:
         folder = waiting.pop()
         real = folder.resolve()
-        if real in seen or not folder.is_dir() or _is_ignored(folder):
+        if real in seen or not folder.is_dir() or is_ignored(folder):
             continue
         yield folder
         if real in seen:

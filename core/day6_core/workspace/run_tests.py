@@ -40,6 +40,9 @@ _SILENT = tuple(
 _MOST_OUTPUT = 1_000_000
 """Characters of a package's output that are kept; of more the end is shown."""
 _LONGEST_REASON = 200
+_MOST_NAMES = 3
+"""Tests with the same outcome and reason that are named."""
+_RAN = {"passed", "failed", "xfailed"}
 _OF_PYTEST = (
     "pyproject.toml",
     "pytest.ini",
@@ -89,7 +92,7 @@ def main(words: list[str]) -> int:
 
 
 class Case(NamedTuple):
-    """One test: 'passed', 'failed' or 'skipped', and why."""
+    """One test: 'passed', 'failed', 'skipped' or 'xfailed' (it failed as it was said to), and why."""
 
     name: str
     outcome: str
@@ -255,7 +258,7 @@ class Report:
         if bad:
             self._failed[name] = "".join(self._output[name])
         outcomes = {case.outcome for case in cases}
-        best = next((each for each in ("passed", "skipped") if each in outcomes), "no_tests")
+        best = "passed" if outcomes & _RAN else "skipped" if outcomes else "no_tests"
         self._line(name, f"cli.test.{'failed' if bad else best}", self._counts(cases), bad=bad)
 
     def _line(self, name: str, key: str, counts: str = "", *, bad: bool) -> None:
@@ -301,7 +304,7 @@ class Report:
         if untested:
             self._console.out(f"\n{self._texts('cli.test.untested', names=', '.join(untested))}\n")
         every = [case for of_package in cases.values() for case in of_package]
-        ran = any(case.outcome != "skipped" for case in every)
+        ran = any(case.outcome in _RAN for case in every)
         self._console.out(f"\n{self._texts('cli.test.sum', count=len(cases), tests=self._counts(every) or 0)}\n")
         if not ran and not self._failed:
             self._console.out(f"{self._texts('cli.test.none_ran')}\n")
@@ -319,12 +322,13 @@ class Report:
         if found:
             self._console.out(f"\n{self._texts(f'cli.test.{outcome}_tests')}\n")
         for (name, why), tests in found.items():
-            text = ": ".join(filter(None, (name, ", ".join(tests), why)))
+            more = self._texts("cli.test.more", count=len(tests) - _MOST_NAMES) if len(tests) > _MOST_NAMES else ""
+            text = ": ".join(filter(None, (name, ", ".join(tests[:_MOST_NAMES]) + more, why)))
             self._console.out(f"  {one_line(text)}\n")
 
     def _counts(self, cases: list[Case]) -> str:
         outcomes = [case.outcome for case in cases]
-        counts = ((key, outcomes.count(key)) for key in ("passed", "failed", "skipped"))
+        counts = ((key, outcomes.count(key)) for key in ("passed", "failed", "xfailed", "skipped"))
         comma = self._texts("cli.test.comma")
         return comma.join(self._texts(f"cli.test.count.{key}", count=count) for key, count in counts if count)
 
@@ -345,6 +349,8 @@ def read_cases(folder: Path) -> list[Case]:
             bad = [node for kind in ("failure", "error") for node in case.findall(kind)]
             left_out = [node for kind in ("skipped", "skip", "disabled") for node in case.findall(kind)]
             outcome = "failed" if bad else "skipped" if left_out else "passed"
+            if any(node.get("type") == "pytest.xfail" for node in left_out):
+                outcome = "xfailed"
             why = next((node.get("message") or node.text or "" for node in (*bad, *left_out)), "")
             cases.append(Case(name, outcome, why))
     return cases
