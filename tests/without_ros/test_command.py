@@ -190,6 +190,17 @@ def test_packages_that_are_tested_at_the_same_time_do_not_see_each_other(tmp_pat
 
 
 @pytest.mark.process
+def test_workers_of_xdist_have_graphs_of_their_own_here_too(tmp_path: Path) -> None:
+    for name, other in (("one", "two"), ("two", "one")):
+        test = SEES.format(name=name, other=other, folder=tmp_path.as_posix())
+        write(python_package(tmp_path / "counter"), {f"test/test_{name}.py": test})
+    done = run(tmp_path, "--pytest-args=-n 2 --dist loadfile")
+    assert done.status == 0, done
+    assert (tmp_path / "one_sees").read_text(encoding="utf-8") == "one"
+    assert (tmp_path / "two_sees").read_text(encoding="utf-8") == "two"
+
+
+@pytest.mark.process
 def test_a_folder_without_packages_is_told(tmp_path: Path) -> None:
     done = run(tmp_path)
     assert done.status == 1 and "there is no package to test in" in done.err and done.out == ""

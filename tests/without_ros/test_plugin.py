@@ -322,13 +322,16 @@ def test_what_was_skipped_without_ros_runs(tmp_path: Path) -> None:
     assert "1 passed" in pytest_in(tmp_path).out
 
 
-@pytest.mark.parametrize("is_package", [True, False])
-def test_each_worker_of_xdist_has_a_graph_of_its_own(tmp_path: Path, is_package: bool) -> None:
+@pytest.mark.parametrize("first", ["the package", "a conftest", "a test"])
+def test_each_worker_of_xdist_has_a_graph_of_its_own(tmp_path: Path, first: str) -> None:
+    """Whatever makes a process a ROS program first: that of pytest itself, or those of the workers."""
     tests = {}
     for name, other in (("one", "two"), ("two", "one")):
         tests[f"test/test_{name}.py"] = SEES.format(name=name, other=other, folder=tmp_path.as_posix())
-    if is_package:
+    if first == "the package":
         python_package(tmp_path)
+    elif first == "a conftest":
+        tests["conftest.py"] = "import rclpy\npytest_plugins = ['launch_pytest.plugin']\n"
     write(tmp_path, tests)
     done = pytest_in(tmp_path, "-n", "2", "--dist", "loadfile")
     assert done.status == 0 and "2 passed" in done.out, done

@@ -151,8 +151,10 @@ class _Run:
 
         manager = config.pluginmanager
         for each in (entry for package in distributions(path=[_PYTHON]) for entry in package.entry_points):
-            if each.group == "pytest11" and not manager.hasplugin(each.name) and not manager.is_blocked(each.name):
-                manager.register(each.load(), each.name)
+            if each.group != "pytest11" or manager.is_blocked(each.name):
+                continue
+            if not manager.is_registered(plugin := each.load()):  # a conftest may have named it
+                manager.register(plugin, each.name)
         for name, value in vars(self._parser.parse_known_args([])).items():
             if not hasattr(config.option, name):
                 setattr(config.option, name, value)
@@ -191,7 +193,7 @@ class _OfRepository:
         self._run = run
 
     def find_spec(self, fullname: str, path: Sequence[str] | None = None, target: object = None) -> ModuleSpec | None:
-        if path is not None or _PYTHON in sys.path:
+        if path is not None or fullname in _asking or _PYTHON in sys.path:
             return None
         if (folder := self._run.repository.source_of(fullname)) is not None:
             return PathFinder.find_spec(fullname, [str(folder)])
@@ -202,7 +204,7 @@ class _OfRepository:
 
 
 _asking: set[str] = set()
-"""The modules that all the other finders are being asked for."""
+"""The modules that the finders of others are being asked for."""
 
 
 def is_elsewhere(name: str) -> bool:

@@ -52,6 +52,7 @@ def own_graph(variables: Mapping[str, str]) -> Iterator[dict[str, str]]:
     """Provide the variables of a test process; afterwards end what it has left running, and remove its folder."""
     folder = _make_folder()
     env = {**environment_of_test(variables, folder), RUN: "1"}
+    env.pop("PYTEST_XDIST_WORKER", None)  # of whoever runs us, perhaps; this process is no worker of that run
     end = partial(_end, folder, env[MARK], os.getpid())
     atexit.register(end)  # whoever is interrupted may not come back here
     try:
