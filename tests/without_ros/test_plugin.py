@@ -175,6 +175,28 @@ def test_it_is_heard():
     until(lambda: not process_exists(number))
 
 
+def test_of_a_run_that_is_killed_no_process_is_left(tmp_path: Path) -> None:
+    test = """\
+import pathlib
+import subprocess
+import time
+
+import rclpy
+
+
+def test_it():
+    process = subprocess.Popen(['ros2', 'run', 'counter', 'run'], start_new_session=True)
+    pathlib.Path('number').write_text(f'{process.pid}.')
+    time.sleep(1000)
+"""
+    process = start("pytest", python_package(tmp_path, test__test_it=test))
+    file = tmp_path / "number"
+    until(lambda: file.exists() and file.read_text(encoding="utf-8").endswith("."))
+    process.kill()
+    result(process)
+    until(lambda: not process_exists(int(file.read_text(encoding="utf-8")[:-1])))
+
+
 LAUNCH_TEST = """\
 import unittest
 

@@ -77,17 +77,19 @@ def _end(folder: Path, mark: str, process: int) -> None:
 
 
 def _make_folder() -> Path:
-    """Make a private folder with a short path, for it holds sockets; remove those that killed processes have left."""
+    """Make a private folder with a short path, for it holds sockets."""
     place = Path("/tmp") if os.name == "posix" and os.access("/tmp", os.W_OK | os.X_OK) else Path(tempfile.gettempdir())
-    for entry in os.scandir(place):
-        if (found := _NAME.fullmatch(entry.name)) and not process_exists(int(found[1])) and _is_abandoned(entry):
-            shutil.rmtree(entry.path, ignore_errors=True)
+    remove_abandoned(place)
     return Path(tempfile.mkdtemp(prefix=f"day6-test{os.getpid()}-", dir=place))
 
 
-def _is_abandoned(entry: os.DirEntry[str]) -> bool:
-    with suppress(OSError):  # another process removes it, too
-        status = entry.stat(follow_symlinks=False)
-        mine = sys.platform == "win32" or status.st_uid == os.getuid()
-        return mine and stat.S_ISDIR(status.st_mode) and time.time() - status.st_mtime > _ABANDONED
-    return False
+def remove_abandoned(place: Path) -> None:
+    """Remove from a folder those that killed processes of this user have left in it."""
+    for entry in os.scandir(place):
+        if (found := _NAME.fullmatch(entry.name)) is None or process_exists(int(found[1])):
+            continue
+        with suppress(OSError):  # another process removes it, too
+            status = entry.stat(follow_symlinks=False)
+            mine = sys.platform == "win32" or status.st_uid == os.getuid()
+            if mine and stat.S_ISDIR(status.st_mode) and time.time() - status.st_mtime > _ABANDONED:
+                shutil.rmtree(entry.path, ignore_errors=True)
