@@ -30,11 +30,11 @@ if TYPE_CHECKING:
     from day6_core.workspace.events import BuildEvent, Console
     from day6_core.workspace.style import Style
 
-_SILENT = tuple(
+_SILENT = tuple(  # what is left is a line on a terminal that says what runs
     f"{name}-"
     for name in (
         *("console_start_end", "console_stderr", "desktop_notification", "event_log", "log"),
-        *("status", "summary", "terminal_title"),
+        *("summary", "terminal_title"),
     )
 )
 _MOST_OUTPUT = 1_000_000
@@ -351,6 +351,6 @@ def read_cases(folder: Path) -> list[Case]:
             outcome = "failed" if bad else "skipped" if left_out else "passed"
             if any(node.get("type") == "pytest.xfail" for node in left_out):
                 outcome = "xfailed"
-            why = next((node.get("message") or node.text or "" for node in (*bad, *left_out)), "")
-            cases.append(Case(name, outcome, why))
+            whole = next((node.get("message") or node.text or "" for node in (*bad, *left_out)), "")
+            cases.append(Case(name, outcome, whole.strip().partition("\n")[0]))
     return cases
