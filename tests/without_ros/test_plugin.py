@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -65,6 +66,7 @@ def test_packages_of_a_workspace_have_their_messages_share_folders_and_executabl
     message_package(tmp_path / "src/levels")
     test = """\
 import os
+import shutil
 import subprocess
 
 from ament_index_python.packages import get_package_prefix, get_package_share_directory
@@ -194,6 +196,8 @@ def test_it():
     until(lambda: file.exists() and file.read_text(encoding="utf-8").endswith("."))
     process.kill()
     result(process)
+    for folder in Path("/tmp").glob(f"day6-test{process.pid}-*"):  # it goes by itself an hour later
+        shutil.rmtree(folder)
     until(lambda: not process_exists(int(file.read_text(encoding="utf-8")[:-1])))
 
 

@@ -86,7 +86,11 @@ def main(words: list[str]) -> int:
     options = parser.parse_args(words)
     from day6_core.session.local import run_local
 
-    with tempfile.TemporaryDirectory(prefix="day6-test-", ignore_cleanup_errors=True) as folder:
+    try:
+        temporary = tempfile.TemporaryDirectory(prefix="day6-test-", ignore_cleanup_errors=True)
+    except OSError as error:
+        parser.exit(1, f"{parser.prog}: {reason_and_name(error)}\n")
+    with temporary as folder:
         run = _Run(options, parser.texts, Path(folder))
         return run_local(run.program, [parser.prog], one_shot=True)
 
