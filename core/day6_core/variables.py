@@ -527,6 +527,14 @@ VARIABLES = (
         ("the user's name", "用户名"),
     ),
     Variable(
+        "PYTEST_XDIST_WORKER",
+        "system",
+        (
+            "Set by pytest-xdist in its workers, of which each has a graph of its own.",
+            "由 pytest-xdist 在它的工作进程里设置；每个工作进程有自己的计算图。",
+        ),
+    ),
+    Variable(
         "DAY6_HUB_WORD",
         "hub",
         ("The word of the class: at least eight characters of ASCII.", "班级口令：至少八个 ASCII 字符。"),
@@ -629,6 +637,14 @@ VARIABLES = (
         (
             "Folders of the packages that programs have besides those that `pip` installs in their home.",
             "程序除了用 `pip` 装在自己主目录里的包以外，还能用的包所在的文件夹。",
+        ),
+    ),
+    Variable(
+        "DAY6_TEST_RUN",
+        "internal",
+        (
+            "Tells the workers of pytest-xdist that the graph they inherit is that of the whole run.",
+            "告诉 pytest-xdist 的工作进程：它们继承到的计算图属于整次测试运行。",
         ),
     ),
 )

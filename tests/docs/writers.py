@@ -125,6 +125,7 @@ AT_ONCE: dict[str, tuple[str, ...]] = {
         "day6_core/workspace/files.py",
         "day6_core/workspace/left_out.py",
         "day6_core/workspace/package_tests.py",
+        "day6_core/workspace/run_tests.py",
         "day6_core/workspace/setup_scripts.py",
         "day6_tui/cast/command.py",
         "day6_tui/windows/classroom/report.py",

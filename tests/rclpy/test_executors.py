@@ -898,6 +898,21 @@ def test_two_threads_of_one_executor_share_the_work() -> None:
     context.shutdown()
 
 
+def test_a_thread_may_go_on_asking_while_another_one_waits_for_something_else() -> None:
+    context = Context()
+    context.init([])
+    executor = SingleThreadedExecutor(context=context)
+    other = Thread(target=executor.spin_once, args=(30.0,), daemon=True)
+    other.start()
+    until(lambda: executor._waiting)
+    for _ in range(3):
+        executor.spin_once(timeout_sec=0)
+    assert other.is_alive()
+    executor.shutdown()
+    other.join(30)
+    context.shutdown()
+
+
 def test_two_threads_cannot_ask_one_executor_for_the_same() -> None:
     context = Context()
     context.init([])

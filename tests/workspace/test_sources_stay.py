@@ -205,6 +205,8 @@ _ITS_OWN = {
     "create.py": {"rename", "rmtree", "write_text"},  # a new folder of its own, which then takes the package's name
     "jobs.py": {"copy"},  # lines of a pipe
     "export.py": {"unlink"},  # its own temporary file
+    "own_graph.py": {"rmtree"},  # its own temporary folders
+    "run_tests.py": {"copytree"},  # JUnit files, into the folder that was named for them
 }
 
 

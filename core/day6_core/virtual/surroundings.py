@@ -7,15 +7,16 @@ import sys
 from collections.abc import Mapping
 from contextlib import suppress
 from functools import cache
-from pathlib import Path
+from itertools import count
 from typing import NoReturn
 
 VARIABLE = "DAY6_TIME"
-"""Names the folder of the world. Empty in a process that is to be no part of it."""
+"""Names the folder of the world; NEW in a process that is to be the first of one, and empty in one that is to be in none."""
+NEW = "new"
 
 _PREFIX = "day6-time-"
 _OUTSIDE = "outside"
-_STARTUP = Path(__file__).with_name("startup")
+_STARTUP = os.path.join(os.path.dirname(__file__), "startup")
 
 
 class NotHere(OSError):
@@ -27,9 +28,43 @@ def is_virtual() -> bool:
     return bool(os.environ.get(VARIABLE))
 
 
+def environment(base: Mapping[str, str]) -> dict[str, str]:
+    """Return the variables for a program of Python that is the first of a new world.
+
+    Raises:
+        NotHere: on systems other than Linux.
+    """
+    if sys.platform != "linux":
+        raise NotHere
+    env = dict(base)
+    env[VARIABLE] = NEW
+    env["DAY6_LINK"] = "local"
+    env.setdefault("PYTHONHASHSEED", "0")
+    env["PYTHONPATH"] = os.pathsep.join(filter(None, (_STARTUP, env.get("PYTHONPATH"))))
+    return env
+
+
+def begin_anew(argv: list[str], base: Mapping[str, str]) -> NoReturn:
+    """Become a program of Python that is the first of a new world.
+
+    Raises:
+        NotHere: on systems other than Linux.
+        OSError: the program can't be started.
+    """
+    env = environment(base)
+    sys.stdout.flush()
+    os.execve(sys.executable, argv, env)
+
+
+# -- the folder of a world ---------------------------------------------------------------------------------------------
+
+
 def own_world() -> str:
-    """Return the folder of this process's world. Raises KeyError if it is in real time."""
-    return os.environ[VARIABLE]
+    """Return the folder of this process's world; made, if it is the first. Raises OSError."""
+    world = os.environ[VARIABLE]
+    if world == NEW:
+        world = os.environ[VARIABLE] = os.environ["DAY6_RUNTIME_DIR"] = _make_folder()
+    return world
 
 
 def socket_of(world: str) -> str:
@@ -42,55 +77,10 @@ def is_first(world: str) -> bool:
     return _first_of(world) == str(os.getpid())
 
 
-def _first_of(world: str) -> str:
-    return os.path.basename(world).removeprefix(_PREFIX).partition("-")[0]
-
-
-def environment(base: Mapping[str, str]) -> dict[str, str]:
-    """Return the variables with which a program that this process becomes (`os.execve`) is the first of a new world.
-
-    Raises:
-        NotHere: on systems other than Linux.
-        OSError: there is no place for its folder.
-    """
-    if sys.platform != "linux":
-        raise NotHere
-    import tempfile
-
-    _clear_up(Path(tempfile.gettempdir()))
-    world = tempfile.mkdtemp(prefix=f"{_PREFIX}{os.getpid()}-")
-    os.symlink(identity(0) or "nothing", os.path.join(world, _OUTSIDE))
-    env = dict(base)
-    env[VARIABLE] = env["DAY6_RUNTIME_DIR"] = world
-    env["DAY6_LINK"] = "local"
-    env.setdefault("PYTHONHASHSEED", "0")
-    env["PYTHONPATH"] = os.pathsep.join(filter(None, (str(_STARTUP), env.get("PYTHONPATH"))))
-    return env
-
-
-def _clear_up(temporary: Path) -> None:
-    """Remove the folders of worlds whose first process was killed."""
-    if sys.platform == "win32":
-        return
-    import shutil
-
-    for folder in temporary.glob(f"{_PREFIX}*"):
-        pid = _first_of(folder.name)
-        with suppress(OSError):
-            if folder.lstat().st_uid == os.getuid() and pid.isdecimal() and not Path("/proc", pid).exists():
-                shutil.rmtree(folder, ignore_errors=True)
-
-
-def begin_anew(argv: list[str], base: Mapping[str, str]) -> NoReturn:
-    """Become a program that is the first of a new world.
-
-    Raises:
-        NotHere: on systems other than Linux.
-        OSError: there is no place for the world's folder, or the program can't be started.
-    """
-    env = environment(base)
-    sys.stdout.flush()
-    os.execve(sys.executable, argv, env)
+@cache
+def outside() -> str:
+    """Return the identity of the standard input that the world was given: what comes from there comes from outside."""
+    return os.readlink(os.path.join(os.environ[VARIABLE], _OUTSIDE))
 
 
 def identity(fd: int) -> str:
@@ -102,7 +92,32 @@ def identity(fd: int) -> str:
     return f"{found.st_dev}:{found.st_ino}"
 
 
-@cache
-def outside() -> str:
-    """Return the identity of the standard input that the world was given: what comes from there comes from outside."""
-    return os.readlink(os.path.join(own_world(), _OUTSIDE))
+def remove(world: str) -> None:
+    """Remove the folder of a world, at its end. Nothing is imported for it; see `follow`."""
+    for path, folders, files in os.walk(world, topdown=False):
+        for name in files:
+            os.unlink(os.path.join(path, name))
+        for name in folders:
+            os.rmdir(os.path.join(path, name))
+    os.rmdir(world)
+
+
+def _make_folder() -> str:
+    """Make it, where there are none any more of worlds whose first process was killed."""
+    place = os.environ.get("TMPDIR") or "/tmp"
+    for name in os.listdir(place):
+        first = _first_of(name)
+        if name.startswith(_PREFIX) and first.isdecimal() and not os.path.exists(f"/proc/{first}"):
+            with suppress(OSError):  # another user's
+                remove(os.path.join(place, name))
+    for number in count():
+        world = os.path.join(place, f"{_PREFIX}{os.getpid()}-{number}")
+        with suppress(FileExistsError):
+            os.mkdir(world, 0o700)
+            break
+    os.symlink(identity(0) or "nothing", os.path.join(world, _OUTSIDE))
+    return world
+
+
+def _first_of(world: str) -> str:
+    return os.path.basename(world).removeprefix(_PREFIX).partition("-")[0]

@@ -12,15 +12,15 @@ from __future__ import annotations
 import os
 import threading
 from argparse import Namespace
-from collections.abc import Callable, Mapping
-from contextlib import suppress
+from collections.abc import Callable, Iterable, Mapping
+from contextlib import AbstractContextManager, nullcontext, suppress
 from pathlib import Path
 
 from day6_core.reason import reason_and_name
 from day6_core.workspace import overriding, reports
 from day6_core.workspace.advisor import Advisor
 from day6_core.workspace.build import BUILD_TOOL, find_task, refuse_foreign_folder
-from day6_core.workspace.events import INTERRUPTED, BuildEvent, Console, Events
+from day6_core.workspace.events import INTERRUPTED, BuildEvent, Console, Events, Handler
 from day6_core.workspace.files import BuildOutput
 from day6_core.workspace.handlers import chosen_handlers
 from day6_core.workspace.jobs import Executor, Job, OnError, Work
@@ -48,7 +48,16 @@ class Failure(Exception):
 class Colcon:
     """One call. `run()` returns the exit status; `interrupt()` may be called from any thread while it runs."""
 
-    def __init__(self, args: Namespace, console: Console, cwd: Path, environment: Mapping[str, str]) -> None:
+    def __init__(
+        self,
+        args: Namespace,
+        console: Console,
+        cwd: Path,
+        environment: Mapping[str, str],
+        *,
+        handlers: Iterable[Handler] = (),
+        around_test: Callable[[Mapping[str, str]], AbstractContextManager[Mapping[str, str]]] = nullcontext,
+    ) -> None:
         self.args = args
         self.console = console
         self.cwd = cwd
@@ -57,15 +66,19 @@ class Colcon:
         self.log = LogFolder(Path(base) if base == os.devnull else cwd / base, args.verb_name, self._warn_of_logs)
         self.selected: list[str] = []
         """The packages of a build."""
+        self._handlers = tuple(handlers)
+        """Besides those that the options choose."""
+        self._around_test = around_test
         self._advisor = Advisor(console, environment, cwd)
         self._executor: Executor | None = None
-        self._interrupted = False
+        self.interrupted = False
+        """Whether Ctrl-C has ended it."""
         self._lock = threading.Lock()
 
     def interrupt(self) -> None:
         """Ctrl-C."""
         with self._lock:
-            self._interrupted = True
+            self.interrupted = True
             if self._executor is not None:
                 self._executor.interrupt()
 
@@ -122,7 +135,7 @@ class Colcon:
     def build(self) -> int:
         """Run `colcon build`; returns the exit status."""
         args = self.args
-        settings = self._settings()
+        settings = self.settings()
         _mark_build_tool(settings)
         _mark_layout(settings, args)
         for folder in (settings.build_base, settings.install_base):
@@ -135,14 +148,14 @@ class Colcon:
         self.selected = [each.package.name for each in planned if each.selected]
         if text := overriding.warning(self.selected, args.allow_overriding, settings.install_base, self.environment):
             self.warn(LOGGER, text)
-        outcome = self._execute(jobs, OnError.SKIP_DOWNSTREAM if args.continue_on_error else OnError.INTERRUPT)
+        outcome = self.execute(jobs, OnError.SKIP_DOWNSTREAM if args.continue_on_error else OnError.INTERRUPT)
         chained = self._chained(settings.install_base)
         write_workspace_scripts(settings.output, settings.install_base, chained)
         return outcome
 
     def test(self) -> int:
         """Run `colcon test`; returns the exit status."""
-        settings = self._settings()
+        settings = self.settings()
         if settings.install_base.is_dir():
             _mark_layout(settings, self.args)
         if not settings.build_base.is_dir():
@@ -157,7 +170,7 @@ class Colcon:
             return test(package, settings, work, failures)
 
         jobs = self._jobs(planned, "test", settings, lambda package: run if find_task(package) else None)
-        outcome = self._execute(jobs, OnError.INTERRUPT if self.args.abort_on_error else OnError.CONTINUE)
+        outcome = self.execute(jobs, OnError.INTERRUPT if self.args.abort_on_error else OnError.CONTINUE)
         return 1 if not outcome and failures and self.args.return_code_on_test_failure else outcome
 
     def list_(self) -> int:
@@ -190,7 +203,8 @@ class Colcon:
 
     # -- running the jobs ----------------------------------------------------------------------------------------------
 
-    def _settings(self) -> BuildSettings:
+    def settings(self) -> BuildSettings:
+        """Return what tasks need; its folders for output hold no sources."""
         args = self.args
         build, install = ((self.cwd / base).absolute() for base in (args.build_base, args.install_base))
         results = (self.cwd / args.test_result_base).absolute() if args.test_result_base else None
@@ -207,6 +221,7 @@ class Colcon:
             merge_install=args.merge_install,
             symlink_install=getattr(args, "symlink_install", False),
             test_result_base=results,
+            around_test=self._around_test,
             args=args,
         )
 
@@ -232,14 +247,15 @@ class Colcon:
             )
         return jobs
 
-    def _execute(self, jobs: list[Job], on_error: OnError) -> int:
+    def execute(self, jobs: list[Job], on_error: OnError) -> int:
+        """Run jobs, with what is printed and logged of them; returns the exit status."""
         handlers = chosen_handlers(self.args.event_handlers or [], self.console, self.args.verb_name, self.log)
-        events = Events([*handlers, self._advisor])
+        events = Events([*handlers, *self._handlers, self._advisor])
         executor_name = self.args.executor or self.environment.get("COLCON_DEFAULT_EXECUTOR")
         workers = 1 if executor_name == "sequential" else self.args.parallel_workers
         with self._lock:
             executor = self._executor = Executor(events, workers, on_error)
-            if self._interrupted:
+            if self.interrupted:
                 executor.interrupt()
         outcome = executor.run(jobs)
         events.emit(BuildEvent("end"))

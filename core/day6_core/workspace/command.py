@@ -37,13 +37,13 @@ async def main(session: Session) -> int:
     level = LOG_LEVELS.get(args.log_level.upper()) or int(args.log_level)
     console = Console(session.stdout, session.stderr, environment=session.env, log_level=level)
     colcon = Colcon(args, console, session.cwd, environment.as_program(session.env))
-    status = await _in_thread(colcon.run, colcon.interrupt)
+    status = await in_thread(colcon.run, colcon.interrupt)
     for name in colcon.selected:
         forget(name)  # a rebuilt message has a new class now
     return status
 
 
-async def _in_thread(run: Callable[[], int], interrupt: Callable[[], None]) -> int:
+async def in_thread(run: Callable[[], int], interrupt: Callable[[], None]) -> int:
     """Run `run` in a thread until it ends, whatever happens; Ctrl-C and anything else that ends the program call `interrupt`."""
     done = Signal()
     results: list[int] = []

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import itertools
 import os
+from collections.abc import Mapping
 from html import escape
 from importlib.util import find_spec
 from pathlib import Path
@@ -92,7 +93,11 @@ class _Run:
             "-v",
             *(self.settings.option("unittest_args", self.package) or ()),
         ]
-        return self.work.run(words, self.package.path, self.environment)
+        return self._run(words, self.package.path, self.environment)
+
+    def _run(self, words: list[str], cwd: Path, environment: Mapping[str, str], *, one_stream: bool = False) -> int:
+        with self.settings.around_test(environment) as variables:
+            return self.work.run(words, cwd, variables, one_stream=one_stream)
 
     def _warn(self, text: str) -> None:
         self.settings.warn(_LOGGER, text)
@@ -142,7 +147,7 @@ class _Run:
         runner = os.path.basename("".join(command.after("RUNNER", *_KEYWORDS)))
         if command.name == _ROS_TEST or runner == _ISOLATED:
             self._isolate(environment)
-        status = self.work.run(words, self.settings.build_base / self.package.name, environment, one_stream=True)
+        status = self._run(words, self.settings.build_base / self.package.name, environment, one_stream=True)
         return _TESTS_FAILED if status else 0
 
     def _isolate(self, environment: dict[str, str]) -> None:
@@ -178,7 +183,7 @@ class _Run:
             **({"COVERAGE_FILE": str(self.settings.build_base / name / ".coverage")} if coverage else {}),
             "PYTEST_ADDOPTS": " ".join(f'"{each}"' if " " in each else each for each in options),
         }
-        status = self.work.run([python_of(environment), "-m", "pytest", *words], self.package.path, environment)
+        status = self._run([python_of(environment), "-m", "pytest", *words], self.package.path, environment)
         return 0 if status == _NO_TESTS else status
 
     def _coverage(self) -> list[str]:

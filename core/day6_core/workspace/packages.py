@@ -17,6 +17,8 @@ from day6_core.workspace.meta import Meta, MetaFiles, Warn
 
 IGNORE_MARKER = "COLCON_IGNORE"
 _IGNORE_MARKERS = (IGNORE_MARKER, "AMENT_IGNORE", "CATKIN_IGNORE")
+_VENV = "pyvenv.cfg"
+"""In an environment of Python, whose site-packages are none of the workspace. The real colcon wants a marker there, too."""
 _IDENTIFICATION = "colcon.colcon_core.package_identification"
 
 
@@ -61,7 +63,7 @@ def find_packages(
                 found.append(package)
                 seen.add(folder.resolve())
     for folder in _expanded(paths, cwd):
-        if folder.is_dir() and folder.resolve() not in seen and not _is_ignored(folder):
+        if folder.is_dir() and folder.resolve() not in seen and not is_ignored(folder):
             seen.add(folder.resolve())
             package = identify(folder, _shown(folder, cwd), environment, warn, metas)
             if package is not None:
@@ -100,8 +102,9 @@ def _expanded(paths: Iterable[str], cwd: Path) -> Iterator[Path]:
         yield from (cwd / name for name in names if "*" not in path or (cwd / name).is_dir())
 
 
-def _is_ignored(folder: Path) -> bool:
-    return any(os.path.lexists(folder / name) for name in _IGNORE_MARKERS)
+def is_ignored(folder: Path) -> bool:
+    """Return whether no packages are looked for in a folder and below it."""
+    return any(os.path.lexists(folder / name) for name in (*_IGNORE_MARKERS, _VENV))
 
 
 def _crawl(root: Path, seen: set[Path]) -> Iterator[Path]:
@@ -110,7 +113,7 @@ def _crawl(root: Path, seen: set[Path]) -> Iterator[Path]:
     while waiting:
         folder = waiting.pop()
         real = folder.resolve()
-        if real in seen or not folder.is_dir() or _is_ignored(folder):
+        if real in seen or not folder.is_dir() or is_ignored(folder):
             continue
         yield folder
         if real in seen:

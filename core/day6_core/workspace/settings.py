@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from argparse import Namespace
 from collections.abc import Callable, Mapping
+from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -28,6 +29,8 @@ class BuildSettings:
     test_result_base: Path | None = None
     needs: Mapping[str, list[str]] = field(default_factory=dict)
     """package -> the workspace packages it needs, in build order"""
+    around_test: Callable[[Mapping[str, str]], AbstractContextManager[Mapping[str, str]]] = nullcontext
+    """Provides the variables of each process of tests while it runs, made of those it would have."""
     args: Namespace = field(default_factory=Namespace)
     """The options of the call, of which tasks read those for packages of their type."""
 

@@ -73,6 +73,7 @@ _OWN = (
     Command("env", "programs", "day6_core.shell.outward.variables"),
     Command("exec", "programs", "day6_core.shell.outward.execute"),
     Command("python", "programs", "day6_core.shell.outward.python_file"),
+    Command("test", "programs", "day6_core.workspace.run_tests"),
     Command("export", "programs", "day6_core.workspace.export"),
     Command("why", "programs", "day6_tui.commands.why"),
     Command("cast", "programs", "day6_tui.cast.command"),

@@ -14,7 +14,7 @@ from day6_core.virtual.coordinator import Coordinator
 from day6_core.virtual.follow import chance, children, clocks, descriptors, locks, signals, threads, tracebacks
 from day6_core.virtual.kernel import Kernel
 from day6_core.virtual.member import Member
-from day6_core.virtual.surroundings import is_first, own_world, socket_of
+from day6_core.virtual.surroundings import is_first, own_world, remove, socket_of
 from day6_core.virtual.told import tell
 from day6_core.virtual.watchdog import watch
 
@@ -26,7 +26,7 @@ def begin() -> None:
     path = socket_of(folder)
     if is_first(folder):
         world: Coordinator | Member = Coordinator(path, tell)
-        atexit.register(_remove_world, folder)
+        atexit.register(_remove, folder)
     else:
         try:
             world = Member(path)
@@ -54,16 +54,10 @@ def begin() -> None:
     chance.install(lambda: world.number)
 
 
-def _remove_world(folder: str) -> None:
+def _remove(world: str) -> None:
     """Remove the world's folder, at the end of its first process; not of a child that was forked.
 
     Nothing is imported here: a module that evaluates text makes Python forget that a KeyboardInterrupt has ended the program.
     """
-    if not is_first(folder):
-        return
-    for path, folders, files in os.walk(folder, topdown=False):
-        for name in files:
-            os.unlink(os.path.join(path, name))
-        for name in folders:
-            os.rmdir(os.path.join(path, name))
-    os.rmdir(folder)
+    if is_first(world):
+        remove(world)
