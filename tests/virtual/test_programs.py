@@ -105,6 +105,37 @@ print(subprocess.run(["sh", "-c", script], capture_output=True, text=True).stdou
 """,
         "hi 3.0 4 3.0\n2 5.0\n1\n2\n[0, 0] 7.0\n5 8.0\nchild 12.0\n3 12.0\nreal 12.0\nthen 22.0\n",
     ),
+    "processes that end at once": (
+        """
+import subprocess, sys
+code = '''
+import subprocess
+for _ in range(30):
+    child = subprocess.Popen(["true"])
+    while child.poll() is None: pass
+print("all")
+'''
+print(subprocess.run([sys.executable, "-c", code], capture_output=True, text=True).stdout.strip())
+""",
+        "all\n",
+    ),
+    "descriptors that are opened": (
+        """
+import os, threading, time
+reading, writing = os.pipe()
+def write():
+    with open(writing, "w") as file:
+        for n in range(3): time.sleep(1); print(n, file=file, flush=True)
+threading.Thread(target=write).start()
+for line in os.fdopen(reading): print(line.strip(), round(time.monotonic(), 2))
+big, end = os.pipe()
+def send():
+    with os.fdopen(end, "wb", 0) as file: print(file.write(b"x" * 300_000))
+threading.Thread(target=send).start()
+with open(big, "rb") as file: print(len(file.read()))
+""",
+        "0 1.0\n1 2.0\n2 3.0\n300000\n300000\n",
+    ),
     "multiprocessing": (
         """
 import multiprocessing, time

@@ -229,19 +229,20 @@ def test_an_environment_of_python_in_the_workspace_is_not_taken_for_packages(tmp
 
 
 @pytest.mark.process
-def test_ctrl_c_ends_the_tests_and_leaves_nothing(tmp_path: Path) -> None:
+@pytest.mark.parametrize(("options", "waits"), [(["--real-time"], "time.sleep(1000)"), ([], "while True: pass")])
+def test_ctrl_c_ends_the_tests_and_leaves_nothing(tmp_path: Path, options: list[str], waits: str) -> None:
     told = "'{DAY6_JOB} {DAY6_RUNTIME_DIR}'.format(**os.environ)"
     test = (
         "import os\nimport pathlib\nimport time\n\n\ndef test_it():\n"
-        f"    pathlib.Path('{tmp_path.as_posix()}/mark').write_text({told})\n    time.sleep(1000)\n"
+        f"    pathlib.Path('{tmp_path.as_posix()}/mark').write_text({told})\n    {waits}\n"
     )
     python_package(tmp_path, test__test_it=test)
-    process = start("day6-tui", tmp_path, "test")
+    process = start("day6-tui", tmp_path, "test", *options)
     until(lambda: (tmp_path / "mark").exists() and " " in (tmp_path / "mark").read_text(encoding="utf-8"))
     mark, graph = (tmp_path / "mark").read_text(encoding="utf-8").split()
     process.send_signal(signal.SIGINT)
     assert result(process).status == 130
-    assert not Path(graph).parent.exists()
+    assert not Path(graph).exists()
     assert marked(f"DAY6_JOB={mark}") == []
 
 

@@ -107,9 +107,13 @@ class Coordinator:
     def spawned(self, pid: int) -> None:
         """A process was started; time stands still before it takes part or ends."""
         self._numbers += 1
-        member = self._members[pid] = _Process(self._numbers, pid)
-        member.pidfd = os.pidfd_open(pid)
+        member = _Process(self._numbers, pid)
+        try:
+            member.pidfd = os.pidfd_open(pid)
+        except ProcessLookupError:
+            return  # its parent has waited for its end already
         member.runs = True
+        self._members[pid] = member
 
     def touched(self, pid: int) -> None:
         """Something was sent to a process."""
@@ -169,22 +173,19 @@ class Coordinator:
 
     def _next(self) -> _Process | None:
         """Return who goes on, after its GO where it needs one."""
+        self._hear(each for each in self._members.values() if each.is_real)
         now, turns = self._now, self._turns
         due: _Process | None = None
         looking: _Process | None = None
-        real: list[_Process] = []
         for each in self._members.values():
-            if each.is_real:
-                real.append(each)
-            elif each.runs:
-                return each
-            elif each.is_stopped:
+            if each.is_real or each.is_stopped:
                 continue
-            elif each.touched or each.signals or NEVER != each.deadline <= now:
+            if each.runs:
+                return each
+            if each.touched or each.signals or NEVER != each.deadline <= now:
                 due = due or each
             elif each.flags & Flag.WATCHES and each.seen < turns:
                 looking = looking or each
-        self._hear(real)
         member = due or looking
         if member is not None:
             self._go(member)
@@ -206,6 +207,7 @@ class Coordinator:
         """Wait until a process that runs is idle or gone, or waits for something real, or the first process is wanted."""
         self._running = member
         patience = PATIENCE
+        stirred = -1
         while member.runs:
             if member.socket is None:
                 ready = self._poll((self._listener.fileno(), member.pidfd, self._woken), patience)
@@ -216,7 +218,8 @@ class Coordinator:
                 if kernel.has_turn:
                     break
             elif not ready:
-                if member.is_real or processes.state_of(member.pid) in "ST":
+                before, stirred = stirred, processes.stirred(member.pid)
+                if member.is_real or stirred == before:
                     member.is_real = True
                     break
                 patience = min(2 * patience, 0.1)
@@ -245,7 +248,10 @@ class Coordinator:
             pid = unpacked(data)[2]
             if pid not in self._members:
                 self._note_stranger(pid)
-            member = self._members[pid]
+            member = self._members.get(pid)
+            if member is None:
+                connected.close()
+                return
             member.socket, member.frames = connected, b""
             member.runs, member.is_real, member.touched = False, False, True
         elif expected is not None and expected.pidfd in ready:
@@ -257,9 +263,9 @@ class Coordinator:
         above = processes.parent_of(pid)
         while above > 1 and above not in self._members:
             above = processes.parent_of(above)
-        program = self._members.get(above)
-        if program is not None and program.socket is None:
-            self._members[pid].above = program
+        program, member = self._members.get(above), self._members.get(pid)
+        if program is not None and member is not None and program.socket is None:
+            member.above = program
             program.starts_others += 1
 
     def _remove(self, member: _Process) -> None:

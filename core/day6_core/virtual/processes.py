@@ -10,9 +10,11 @@ if sys.platform != "linux":
 import os
 import select
 from collections.abc import Iterator
+from itertools import count
 from pathlib import Path
 
 _poll = select.poll
+_restless = count(-2, -1)
 
 
 def parent_of(pid: int) -> int:
@@ -21,12 +23,19 @@ def parent_of(pid: int) -> int:
     return int(fields[1]) if fields else 0
 
 
-def state_of(pid: int) -> str:
-    """Return R if one of its threads runs or waits for the disk, else the first's: S if it waits, T if stopped, '' if gone."""
-    states = [fields[0] for each in _threads(pid) if (fields := _stat(each))]
-    if any(state in "RD" for state in states):
-        return "R"
-    return states[0] if states else ""
+def stirred(pid: int) -> int:
+    """Return how often its threads have run so far; a number that never comes again if one runs, waits for the disk or ends now.
+
+    Of two looks with the same number, nothing happened in between: all of it waits for something. One look isn't enough, as
+    threads hand on to each other while it is taken.
+    """
+    times = 0
+    for thread in _threads(pid):
+        fields = _stat(f"{thread}/stat")
+        if fields and fields[0] in "RDZX":
+            return next(_restless)
+        times += _slices(f"{thread}/schedstat")
+    return times
 
 
 def cpu_seconds(pid: int) -> float:
@@ -60,9 +69,18 @@ def is_ready(fd: int, events: int) -> bool:
 
 def _threads(pid: int) -> list[str]:
     try:
-        return [f"/proc/{pid}/task/{name}/stat" for name in os.listdir(f"/proc/{pid}/task")]
+        return [f"/proc/{pid}/task/{name}" for name in os.listdir(f"/proc/{pid}/task")]
     except OSError:
         return []
+
+
+def _slices(path: str) -> int:
+    """How often a thread was given a core; 0 if it is gone."""
+    try:
+        with open(path, encoding="ascii") as file:
+            return int(file.read().split()[2])
+    except (OSError, IndexError):
+        return 0
 
 
 def _stat(path: str) -> list[str]:

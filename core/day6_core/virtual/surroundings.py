@@ -16,11 +16,18 @@ NEW = "new"
 
 _PREFIX = "day6-time-"
 _OUTSIDE = "outside"
+_LONGEST_PLACE = 36
+"""Bytes of the folder in which worlds are made: their sockets have paths of 100 bytes at most."""
 _STARTUP = os.path.join(os.path.dirname(__file__), "startup")
 
 
 class NotHere(OSError):
     """There is no virtual time on this system."""
+
+
+def is_there() -> bool:
+    """Return whether there is virtual time on this system."""
+    return sys.platform == "linux"
 
 
 def is_virtual() -> bool:
@@ -34,7 +41,7 @@ def environment(base: Mapping[str, str]) -> dict[str, str]:
     Raises:
         NotHere: on systems other than Linux.
     """
-    if sys.platform != "linux":
+    if not is_there():
         raise NotHere
     env = dict(base)
     env[VARIABLE] = NEW
@@ -105,6 +112,8 @@ def remove(world: str) -> None:
 def _make_folder() -> str:
     """Make it, where there are none any more of worlds whose first process was killed."""
     place = os.environ.get("TMPDIR") or "/tmp"
+    if len(os.fsencode(place)) > _LONGEST_PLACE:
+        place = "/tmp"
     for name in os.listdir(place):
         first = _first_of(name)
         if name.startswith(_PREFIX) and first.isdecimal() and not os.path.exists(f"/proc/{first}"):

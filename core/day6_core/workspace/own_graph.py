@@ -22,6 +22,7 @@ from pathlib import Path
 from day6_core.guardian import MARK, end_marked, new_mark
 from day6_core.link.paths import process_exists
 from day6_core.ros.environment import as_program
+from day6_core.virtual.surroundings import environment as virtual_environment
 
 RUN = "DAY6_TEST_RUN"
 """Set where pytest may start workers: one that finds it makes its own graph in place of joining that of the run."""
@@ -34,12 +35,14 @@ Not at once: the process may live in another container, which has numbers of its
 """
 
 
-def environment_of_test(variables: Mapping[str, str], folder: Path) -> dict[str, str]:
+def environment_of_test(variables: Mapping[str, str], folder: Path, *, fast: bool = False) -> dict[str, str]:
     """Return the variables of a test process whose graph, logs and marks are those of `folder`.
 
-    Every test process gets its variables here, whoever starts it. All of them run in real time.
+    Every test process gets its variables here, whoever starts it. `fast`: a program of Python, in virtual time.
     """
     env = as_program(dict(variables))
+    if fast:
+        env = virtual_environment(env)
     env["DAY6_RUNTIME_DIR"] = str(folder / "graph")
     if not env.get("ROS_LOG_DIR"):
         env["ROS_LOG_DIR"] = str(folder / "log")
@@ -48,10 +51,10 @@ def environment_of_test(variables: Mapping[str, str], folder: Path) -> dict[str,
 
 
 @contextmanager
-def own_graph(variables: Mapping[str, str]) -> Iterator[dict[str, str]]:
+def own_graph(variables: Mapping[str, str], *, fast: bool = False) -> Iterator[dict[str, str]]:
     """Provide the variables of a test process; afterwards end what it has left running, and remove its folder."""
     folder = _make_folder()
-    env = {**environment_of_test(variables, folder), RUN: "1"}
+    env = {**environment_of_test(variables, folder, fast=fast), RUN: "1"}
     env.pop("PYTEST_XDIST_WORKER", None)  # of whoever runs us, perhaps; this process is no worker of that run
     end = partial(_end, folder, env[MARK], os.getpid())
     atexit.register(end)  # whoever is interrupted may not come back here

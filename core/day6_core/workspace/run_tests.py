@@ -3,7 +3,8 @@
 Everything is built in a temporary folder, which is gone afterwards: a repository stays as it was checked out, and no earlier
 build can make a test pass. Where everything is Python that costs a second. `--build-dir` keeps the folders, with colcon's layout.
 
-Each process of tests has a graph of its own (`own_graph`): pytest of a Python package, and each test of a CMake package.
+Each process of tests has a graph of its own (`own_graph`): pytest of a Python package, and each test of a CMake package. Where
+there is virtual time it has that, too: a test that waits takes no longer than what it computes, and does the same each time.
 """
 
 from __future__ import annotations
@@ -15,6 +16,7 @@ import time
 from argparse import Namespace
 from collections import defaultdict, deque
 from collections.abc import Mapping
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -76,6 +78,7 @@ def build_parser(language: str = "en") -> CommandParser:
     add("--build-dir", type=Path, metavar="DIR", help=texts("cli.test.build_dir"))
     add("--parallel-workers", type=values.whole(1, 1000), metavar="N", help=texts("cli.test.workers"))
     add("--pytest-args", metavar="WORDS", help=texts("cli.test.pytest_args"))
+    add("--real-time", action="store_true", help=texts("cli.test.real_time"))
     add("--allow-no-tests", action="store_true", help=texts("cli.test.allow_none"))
     return parser
 
@@ -116,6 +119,7 @@ class _Run:
         """Build, test and report; returns the exit status."""
         from day6_core.ros.environment import activate, as_program
         from day6_core.session.argument_parser import ParserExit
+        from day6_core.virtual.surroundings import is_there
         from day6_core.workspace.arguments import parse
         from day6_core.workspace.colcon import Colcon
         from day6_core.workspace.command import in_thread
@@ -138,7 +142,8 @@ class _Run:
                 *(("--parallel-workers", str(workers)) if workers else ()),
             )
             args = parse(session, list(words))
-            return Colcon(args, console, self._workspace, environment, handlers=[report], around_test=own_graph)
+            around = partial(own_graph, fast=is_there() and not self._options.real_time)
+            return Colcon(args, console, self._workspace, environment, handlers=[report], around_test=around)
 
         async def run(verb: str, *words: str) -> bool:
             """Run a verb; returns whether it came to its end."""

@@ -313,6 +313,7 @@ TEXTS = {
     "cli.test.build_dir": "build into build, install and log of this folder, as colcon does (default: a temporary folder)",
     "cli.test.workers": "packages at a time (default: as many as the machine has cores)",
     "cli.test.pytest_args": "more words for pytest, as one: --pytest-args='-k wheels -x'",
+    "cli.test.real_time": "let the tests run in real time instead of virtual time",
     "cli.test.allow_none": "exit with 0 also if no test was run",
     "cli.test.no_package": "there is no package to test in {workspace}",
     "cli.test.passed": "passed",

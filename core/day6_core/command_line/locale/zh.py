@@ -278,6 +278,7 @@ TEXTS = {
     "cli.test.build_dir": "编译到这个文件夹的 build、install 和 log 里，并像 colcon 那样保留（默认：临时文件夹）",
     "cli.test.workers": "同时处理几个软件包（默认：和处理器核心数相同）",
     "cli.test.pytest_args": "给 pytest 的其他参数，写成一个词：--pytest-args='-k wheels -x'",
+    "cli.test.real_time": "让测试用真实时间，而不用虚拟时间",
     "cli.test.allow_none": "没有运行任何测试时也以 0 退出",
     "cli.test.no_package": "{workspace} 里没有可以测试的软件包",
     "cli.test.passed": "通过",

@@ -22,17 +22,17 @@ from day6_core.virtual.watchdog import watch
 def begin() -> None:
     """Take part in the world that the environment names, from now on."""
     kernel = Kernel()
-    folder = own_world()
-    path = socket_of(folder)
-    if is_first(folder):
-        world: Coordinator | Member = Coordinator(path, tell)
+    try:
+        folder = own_world()
+        path = socket_of(folder)
+        world = Coordinator(path, tell) if is_first(folder) else Member(path)
+    except OSError as error:
+        tell("no_world", str(error))
+        os._exit(1)
+    if isinstance(world, Coordinator):
         atexit.register(_remove, folder)
     else:
-        try:
-            world = Member(path)
-            world.enter(kernel)
-        except OSError:
-            os._exit(1)  # the world has ended
+        world.enter(kernel)
     kernel.world = world
 
     def enter_child() -> None:

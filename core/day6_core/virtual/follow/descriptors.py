@@ -7,6 +7,7 @@ import sys
 if sys.platform != "linux":
     raise ImportError("there is no virtual time on this system")
 
+import builtins
 import io
 import os
 import select
@@ -39,7 +40,8 @@ def install(kernel: Kernel, touched: Callable[[int], object]) -> None:
     system.read = read
     when_imported("selectors", _follow_selectors)
     when_imported("socket", _follow_sockets)
-    when_imported("subprocess", _follow_pipes)
+    files: Any = io
+    files.open = builtins.open = _opening(io.open)
     _follow_input()
 
 
@@ -227,18 +229,18 @@ def read(fd: int, length: int, /) -> bytes:
 
 
 class Pipe(io.FileIO):
-    """A file whose reading waits so that others can go on."""
+    """A pipe or terminal whose reading and writing wait so that others can go on, other threads of this process for one."""
 
     def readinto(self, buffer: Any) -> Any:
         """As there."""
-        self._wait()
+        self._wait(select.POLLIN)
         return super().readinto(buffer)
 
     def read(self, size: int | None = -1) -> Any:
         """As there."""
         if size is None or size < 0:
             return self.readall()
-        self._wait()
+        self._wait(select.POLLIN)
         return super().read(size)
 
     def readall(self) -> Any:
@@ -248,32 +250,53 @@ class Pipe(io.FileIO):
             parts.append(part)
         return b"".join(parts)
 
-    def _wait(self) -> None:
+    def write(self, data: Any) -> Any:
+        """As there; in parts that a pipe takes at once when it takes anything."""
+        left = memoryview(data).cast("B")
+        size = len(left)
+        while left:
+            self._wait(select.POLLOUT)
+            written = super().write(left[: select.PIPE_BUF])
+            if written is None:
+                return size - len(left) or None
+            left = left[written:]
+        return size
+
+    def _wait(self, events: int) -> None:
         if os.get_blocking(self.fileno()):
-            wait_until_ready(self.fileno(), select.POLLIN, None)
+            wait_until_ready(self.fileno(), events, None)
 
 
-def _follow_pipes(module: Any) -> None:
-    """Of the module subprocess, which opens its ends of pipes by `io.open`."""
-    real_open = io.open
+def _opening(real: Callable[..., Any]) -> Callable[..., Any]:
+    def open(  # noqa: A001
+        file: Any,
+        mode: str = "r",
+        buffering: int = -1,
+        encoding: str | None = None,
+        errors: str | None = None,
+        newline: str | None = None,
+        closefd: bool = True,
+        opener: Any = None,
+    ) -> Any:
+        if not isinstance(file, int) or stat.S_ISREG(os.fstat(file).st_mode) or (buffering == 0 and "b" not in mode):
+            return real(file, mode, buffering, encoding, errors, newline, closefd, opener)
+        raw = Pipe(file, "".join(each for each in mode if each in "rwxa+"), closefd, opener)
+        if buffering == 0:
+            return raw
+        cls: Any = io.BufferedRandom if "+" in mode else io.BufferedReader if "r" in mode else io.BufferedWriter
+        buffer = cls(raw, buffering if buffering > 1 else io.DEFAULT_BUFFER_SIZE)
+        if "b" in mode:
+            return buffer
+        text: Any = io.TextIOWrapper(
+            buffer, encoding, errors, newline, buffering == 1 or (buffering < 0 and raw.isatty())
+        )
+        text.mode = mode
+        return text
 
-    class Io:
-        def __getattr__(self, name: str) -> Any:
-            return getattr(io, name)
-
-        @staticmethod
-        def open(fd: int, mode: str, bufsize: int = -1) -> Any:
-            if mode != "rb":
-                return real_open(fd, mode, bufsize)
-            raw = Pipe(fd, "rb")
-            return raw if bufsize == 0 else io.BufferedReader(raw, bufsize if bufsize > 1 else io.DEFAULT_BUFFER_SIZE)
-
-    module.io = Io()
+    return open
 
 
 def _follow_input() -> None:
-    import builtins
-
     given = sys.stdin
     if not isinstance(given, io.TextIOWrapper) or stat.S_ISREG(os.fstat(given.fileno()).st_mode):
         return
