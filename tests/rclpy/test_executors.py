@@ -898,6 +898,20 @@ def test_two_threads_of_one_executor_share_the_work() -> None:
     context.shutdown()
 
 
+def test_a_thread_can_ask_an_executor_again_while_another_waits_for_something_else() -> None:
+    context = Context()
+    context.init([])
+    executor = SingleThreadedExecutor(context=context)
+    thread = Thread(target=executor.spin_once, daemon=True)
+    thread.start()
+    until(lambda: executor._waiting)
+    for _ in range(2):
+        executor.spin_once(timeout_sec=0.001)
+    executor.shutdown()
+    thread.join(30)
+    context.shutdown()
+
+
 def test_two_threads_cannot_ask_one_executor_for_the_same() -> None:
     context = Context()
     context.init([])

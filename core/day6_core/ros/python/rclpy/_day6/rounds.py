@@ -65,6 +65,8 @@ class ExecutorRounds:
         """Timeout and condition of the `spin_once` that the round was collected for."""
         self._waiting = 0
         """Number of waiting threads: two if a program spins one executor twice."""
+        self._waited_for: tuple[Any, Any] | None = None
+        """Those `_spin_arguments` for which a thread waits now."""
 
     # -- nodes come and go ---------------------------------------------------------------------------------------------
 
@@ -150,9 +152,10 @@ class ExecutorRounds:
             self._spin_arguments = spin_arguments
             if self._round:
                 self._start_anew()
-        elif self._waiting:
-            # Two threads spin one executor. Real rclpy shares one generator between them, which raises:
+        elif self._waited_for is self._spin_arguments:
+            # Two threads spin one executor alike. Real rclpy shares one generator between them, which raises:
             raise ValueError("generator already executing")
+        generator = self._spin_arguments
         until: int | None = None
         tasks_had_their_turn = False
         waited = False
@@ -193,7 +196,12 @@ class ExecutorRounds:
                     until = now + timeout_ns
                 elif now >= until:
                     return None
-            self._wait(until)
+            self._waited_for = generator
+            try:
+                self._wait(until)
+            finally:
+                if self._waited_for is generator:
+                    self._waited_for = None
             waited = True
 
     def _wait(self, until: int | None) -> None:
