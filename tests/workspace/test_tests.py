@@ -243,6 +243,32 @@ def test_xml_files_are_looked_at(tmp_path: Path, capsys: pytest.CaptureFixture[s
 
 
 @pytest.mark.process
+def test_types_are_checked_as_in_ros(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """The test that some packages have beside those of flake8 and PEP 257."""
+    from ament_mypy.main import main as mypy
+
+    assert mypy([str(tmp_path)]) == 1 and capsys.readouterr().err == "No files found\n"
+    (tmp_path / "right.py").write_text("import no_such_module\n\nx: int = no_such_module.x\n", encoding="utf-8")
+    assert mypy([str(tmp_path)]) == 0, "what is imported may have no types"
+    (tmp_path / "wrong.py").write_text("x: int = 'text'\n", encoding="utf-8")
+    capsys.readouterr()
+    assert mypy([str(tmp_path)]) == 1
+    assert "wrong.py:1:10: error: Incompatible types in assignment" in capsys.readouterr().out
+    assert mypy(["--exclude", "wrong.py", "--", str(tmp_path)]) == 0
+    assert mypy(["--config", str(tmp_path / "none.ini"), str(tmp_path)]) == 1
+
+
+def test_without_mypy_the_test_of_types_fails_and_says_why(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    from ament_mypy import main as ament_mypy
+
+    monkeypatch.setattr(ament_mypy, "find_spec", lambda name: None)
+    assert ament_mypy.main([]) == 1
+    assert capsys.readouterr().err == "mypy is not installed (pip install mypy)\n"
+
+
+@pytest.mark.process
 def test_tests_that_cannot_run_here_are_named_and_counted_as_skipped(workshop: Workshop) -> None:
     cmake_package(workshop, "ament_add_gtest(speed test/speed.cpp)\n  ament_lint_auto_find_test_dependencies()")
     done = workshop.run("colcon build > /dev/null\ncolcon test\ncolcon test-result --all")
