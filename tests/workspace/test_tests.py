@@ -242,6 +242,20 @@ def test_xml_files_are_looked_at(tmp_path: Path, capsys: pytest.CaptureFixture[s
     assert f"{file}:2: parser error : mismatched tag" in capsys.readouterr().err
 
 
+def test_tests_beside_each_other_hold_different_domains() -> None:
+    """As `launch_pytest` fixtures of public packages ask for one."""
+    from domain_coordinator import domain_id
+
+    with domain_id() as first, domain_id() as second:
+        assert 1 <= first < second <= 100
+        with pytest.raises(RuntimeError, match=r"^Failed to get a unique ROS domain ID$"), domain_id(lambda: first):
+            raise AssertionError
+    with domain_id(lambda: first) as again:
+        assert again == first, "what was given back can be held"
+    with pytest.raises(ZeroDivisionError), domain_id():
+        _ = 1 // 0
+
+
 @pytest.mark.process
 def test_types_are_checked_as_in_ros(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """The test that some packages have beside those of flake8 and PEP 257."""
