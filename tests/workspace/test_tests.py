@@ -242,6 +242,28 @@ def test_xml_files_are_looked_at(tmp_path: Path, capsys: pytest.CaptureFixture[s
     assert f"{file}:2: parser error : mismatched tag" in capsys.readouterr().err
 
 
+@pytest.mark.process
+def test_style_is_checked_by_the_configuration_that_a_test_names(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from ament_flake8 import main as ament_flake8
+
+    file = tmp_path / "wide.py"
+    file.write_text(f"x = '{'-' * 100}'\n", encoding="utf-8")
+    wide = tmp_path / "wide.ini"
+    wide.write_text("[flake8]\nmax-line-length = 120\n", encoding="utf-8")
+    (tmp_path / ".flake8").write_text("[flake8]\nmax-line-length = 120\n", encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    known = {"flake8": ament_flake8.find_spec("flake8"), "none": None}
+    for name, found in known.items():
+        monkeypatch.setattr(ament_flake8, "find_spec", lambda _, found=found: found)
+        assert ament_flake8.main([str(file)]) == 1, f"ROS reads no configuration that lies about ({name})"
+        assert ament_flake8.main(["--linelength", "120", str(file)]) == 0
+        if found is not None:
+            assert ament_flake8.main(["--config", str(wide), "."]) == 0
+            assert ament_flake8.main(["--exclude", "wide.py", "--linelength", "99"]) == 0
+
+
 def test_tests_beside_each_other_hold_different_domains() -> None:
     """As `launch_pytest` fixtures of public packages ask for one."""
     from domain_coordinator import domain_id
