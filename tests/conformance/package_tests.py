@@ -9,10 +9,13 @@ count. FOLDER has checkouts (see `checkouts.py`; `--clone` fetches what is missi
 `owner/name/folder`.
 
 Each package is built (`colcon build --packages-up-to`) in a workspace of its own with all of its repository, sourced, and tested
-(`python -m pytest`) in its folder, as `colcon test` does it. What `with` names is built too; the real side has to have it
-installed, and builds nothing that it has. A package with a `path` isn't built: its tests find it by that folder. With `--real`,
-an interpreter that has real ROS (and colcon beside it), the other side is run too, for its time; `--record` runs it twice and
-writes down what came out.
+(`python -m pytest`) in its folder, as `colcon test` does it. Repositories in `with` and packages in `also` are there too. A
+package with a `path` isn't built: its tests find it by that folder. With `--real`, an interpreter that has real ROS (and colcon
+beside it), the other side is run too, for its time; `--record` runs it twice and writes down what came out. The real side builds
+nothing that it has installed, and has to have what is in `with` and `also`.
+
+What was recorded had Kilted's wheels, launch, its relatives, `ros2` and tf2 of the end of 2024, interfaces built beforehand, and
+no node in C++: tests that want one are left out here.
 
 What the packages import besides ROS is in `pip`: both interpreters need it, and pytest 8 (launch_testing knows no newer one).
 This runs programs of strangers: without network, and where they can damage nothing.
@@ -32,6 +35,7 @@ import tempfile
 import time
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
@@ -41,6 +45,8 @@ INPUTS = Path(__file__).with_suffix(".json")
 OURS = str(Path(sys.executable).with_name("day6-tui"))
 DISTRIBUTION = "kilted"
 """The one that can be had as wheels."""
+PLUGIN_OF_OURS = find_spec("day6_tui.pytest") is not None
+"""Whether a plain pytest finds our ROS, and the packages of the repository, by itself."""
 LIMIT_S = 120.0
 """For the build of a package, and for its tests."""
 
@@ -111,9 +117,9 @@ def play(
         built, build_s = "", 0.0
         if "path" in package:
             env["PYTHONPATH"] = os.pathsep.join(filter(None, [str(folder / package["path"]), env.get("PYTHONPATH")]))
-        else:
+        elif real or not PLUGIN_OF_OURS:
             words = [str(Path(real).with_name("colcon"))] if real else [OURS, "colcon"]
-            words += ["build", "--packages-up-to", _name_of(folder)]
+            words += ["build", "--packages-up-to", _name_of(folder), *package.get("also", [])]
             if real:
                 _leave_out_installed(place / "src", Path(real).absolute().parents[1], folder)
                 words += ["--cmake-args", "-DBUILD_TESTING=OFF", f"-DPython3_EXECUTABLE={real}"]
@@ -164,7 +170,8 @@ def _environment(place: Path, real: str | None, domain: int) -> dict[str, str]:
         env |= {"LD_LIBRARY_PATH": os.pathsep.join(map(str, libraries)), "CXXFLAGS": "-O0", "CFLAGS": "-O0"}
         python = Path(real)
     else:
-        env |= program_environment(env)
+        env |= {} if PLUGIN_OF_OURS else program_environment(env)
+        env["ROS_DISTRO"] = DISTRIBUTION
         env["DAY6_RUNTIME_DIR"] = tempfile.mkdtemp(dir=place)
         python = Path(sys.executable)
     plugin = place / "plugin"
@@ -193,14 +200,15 @@ def run(words: list[str], folder: Path, env: dict[str, str]) -> str:
             process.wait(LIMIT_S)
         except subprocess.TimeoutExpired:
             note = f"\nno end in {LIMIT_S:g} s\n"
-        _end_session(process.pid)
+        finally:
+            _end_session(process.pid)
         process.wait()
         output.seek(0)
         return output.read().decode(errors="replace") + note
 
 
 def _end_session(leader: int) -> None:
-    """Kill what is left of a session; launch gives each of its processes a group of its own, or even a session."""
+    """Kill what is left of a session: a launch that is killed leaves the nodes that it started."""
     for process in list(_below(leader)):
         try:
             os.kill(process, signal.SIGKILL)

@@ -898,17 +898,18 @@ def test_two_threads_of_one_executor_share_the_work() -> None:
     context.shutdown()
 
 
-def test_a_thread_can_ask_an_executor_again_while_another_waits_for_something_else() -> None:
+def test_a_thread_may_go_on_asking_while_another_one_waits_for_something_else() -> None:
     context = Context()
     context.init([])
     executor = SingleThreadedExecutor(context=context)
-    thread = Thread(target=executor.spin_once, daemon=True)
-    thread.start()
+    other = Thread(target=executor.spin_once, args=(30.0,), daemon=True)
+    other.start()
     until(lambda: executor._waiting)
-    for _ in range(2):
-        executor.spin_once(timeout_sec=0.001)
+    for _ in range(3):
+        executor.spin_once(timeout_sec=0)
+    assert other.is_alive()
     executor.shutdown()
-    thread.join(30)
+    other.join(30)
     context.shutdown()
 
 

@@ -63,10 +63,11 @@ class ExecutorRounds:
         """Called when something becomes ready: while a thread waits here it opens the gate."""
         self._spin_arguments: tuple[Any, Any] | None = None
         """Timeout and condition of the `spin_once` that the round was collected for."""
-        self._waiting = 0
-        """Number of waiting threads: two if a program spins one executor twice."""
-        self._waited_for: tuple[Any, Any] | None = None
-        """Those `_spin_arguments` for which a thread waits now."""
+        self._generator = 0
+        """The number of changes of these arguments. With each, real rclpy begins another generator and leaves the old one to
+        the thread that waits in it."""
+        self._waiting: set[int] = set()
+        """The generators in which a thread waits: two if a program spins one executor twice."""
 
     # -- nodes come and go ---------------------------------------------------------------------------------------------
 
@@ -150,12 +151,13 @@ class ExecutorRounds:
         """
         if spin_arguments != self._spin_arguments:
             self._spin_arguments = spin_arguments
+            self._generator += 1
             if self._round:
                 self._start_anew()
-        elif self._waited_for is self._spin_arguments:
-            # Two threads spin one executor alike. Real rclpy shares one generator between them, which raises:
+        elif self._generator in self._waiting:
+            # Two threads spin one executor in the same way. Real rclpy shares one generator between them, which raises:
             raise ValueError("generator already executing")
-        generator = self._spin_arguments
+        generator = self._generator
         until: int | None = None
         tasks_had_their_turn = False
         waited = False
@@ -196,17 +198,12 @@ class ExecutorRounds:
                     until = now + timeout_ns
                 elif now >= until:
                     return None
-            self._waited_for = generator
-            try:
-                self._wait(until)
-            finally:
-                if self._waited_for is generator:
-                    self._waited_for = None
+            self._wait(until, generator)
             waited = True
 
-    def _wait(self, until: int | None) -> None:
+    def _wait(self, until: int | None, generator: int) -> None:
         """Block until something is ready, the next timer is due or the time `until` (ns, steady) is reached."""
-        self._waiting += 1
+        self._waiting.add(generator)
         self._hook = self._open_gate
         try:
             if self._inbox or self._tasks or self._woken or self._new_nodes:
@@ -218,11 +215,11 @@ class ExecutorRounds:
             if left > 0:
                 self._gate.acquire(timeout=left / S_TO_NS)
         finally:
-            self._waiting -= 1
-            if self._waiting == 0:
-                self._hook = self._wake_callback
-            else:
+            self._waiting.discard(generator)
+            if self._waiting:
                 self._leave_to_others()
+            else:
+                self._hook = self._wake_callback
 
     def _leave_to_others(self) -> None:
         """Pass a wake-up on to another waiting thread, which only this one has received."""
