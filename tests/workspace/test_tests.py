@@ -264,6 +264,16 @@ def test_style_is_checked_by_the_configuration_that_a_test_names(
             assert ament_flake8.main(["--exclude", "wide.py", "--linelength", "99"]) == 0
 
 
+def test_only_the_docstring_of_a_function_begins_with_a_capital(tmp_path: Path) -> None:
+    from ament_pep257.main import main as pep257
+
+    file = tmp_path / "described.py"
+    file.write_text('class Case:\n    """unittest of a thing."""\n', encoding="utf-8")
+    assert pep257([str(file)]) == 0
+    file.write_text('def case():\n    """unittest of a thing."""\n', encoding="utf-8")
+    assert pep257([str(file)]) == 1
+
+
 def test_tests_beside_each_other_hold_different_domains() -> None:
     """As `launch_pytest` fixtures of public packages ask for one."""
     from domain_coordinator import domain_id
