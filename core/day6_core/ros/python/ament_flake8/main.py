@@ -61,7 +61,8 @@ def _by_ourselves(paths: list[str], longest: int) -> list[str]:
             text = file.read().replace("\r\n", "\n")
         shown = path if path.startswith(os.curdir) else os.path.join(os.curdir, path)
         found += [
-            f"{shown}:{line}:{column}: {what}" for line, column, what in sorted({*_layout(text, longest), *_meaning(text)})
+            f"{shown}:{line}:{column}: {what}"
+            for line, column, what in sorted({*_layout(text, longest), *_meaning(text)})
         ]
     return found
 
