@@ -15,6 +15,7 @@ from rclpy._day6.logging_settings import LoggingSettings
 from rclpy.clock import Clock
 from rclpy.clock_type import ClockType
 from rclpy.context import Context
+from rclpy.impl import rcutils_logger
 from rclpy.logging import LoggingSeverity
 from rclpy.node import Node
 
@@ -110,6 +111,16 @@ def test_once_lets_a_call_log_the_first_time_only() -> None:
     logger = logging.get_logger("l")
     assert [logger.info("x", once=True) for _ in range(3)] == [True, False, False]
     assert logger.info("x", once=True), "another line is another call"
+
+
+def test_a_tool_that_wraps_the_loggers_is_not_who_logs(monkeypatch: pytest.MonkeyPatch) -> None:
+    wrapper: dict[str, Any] = {}
+    exec(compile("def say(logger): return logger.info('x', once=True)", "/opt/a_tool/wrapping.py", "exec"), wrapper)
+    logger = logging.get_logger("l")
+    assert [wrapper["say"](logger), wrapper["say"](logger)] == [True, False]
+    monkeypatch.setattr(rcutils_logger, "_internal_callers", ["a_tool/wrapping.py"])
+    assert wrapper["say"](logger), "who calls the tool is the caller"
+    assert wrapper["say"](logger), "and this is another line"
 
 
 def test_skip_first_lets_a_call_log_from_the_second_time_on() -> None:

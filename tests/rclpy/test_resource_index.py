@@ -47,6 +47,15 @@ def test_the_packages_that_came_with_us_are_resources_too() -> None:
     assert has_resource("packages", "nope") is False
 
 
+def test_the_interfaces_of_our_packages_are_resources_as_a_build_registers_them() -> None:
+    """As tools ask that list what there is, and tests of programs that must not know packages by name."""
+    content, prefix = get_resource("rosidl_interfaces", "std_srvs")
+    assert content.split() == ["srv/Empty.srv", "srv/SetBool.srv", "srv/Trigger.srv"]
+    assert prefix == has_resource("rosidl_interfaces", "std_srvs") == get_resources("rosidl_interfaces")["std_msgs"]
+    assert "rosidl_interfaces" in get_resource_types()
+    assert has_resource("rosidl_interfaces", "rclpy") is False
+
+
 def test_impossible_names_are_refused(overlay: str) -> None:
     with pytest.raises(LookupError, match=r"^Could not find the resource 'nope' of type 'plugins'$"):
         get_resource("plugins", "nope")

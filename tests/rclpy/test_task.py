@@ -289,3 +289,17 @@ def test_a_callback_is_called_once_however_often_there_is_an_outcome() -> None:
     stopped.cancel()
     stopped.cancel()
     assert (called[1:], stopped.done(), stopped.result()) == ([stopped], False, None)
+
+
+def test_executors_of_others_see_who_runs_a_future_and_what_a_task_runs() -> None:
+    """Public packages with an executor of their own look at these names of real rclpy."""
+
+    async def nothing() -> None: ...
+
+    assert Future()._executor() is None
+    function, coroutine = Task(len, ("ab",)), Task(nothing)
+    assert function._executor() is None and function._pending()
+    assert function._handler is len and asyncio.iscoroutine(coroutine._handler)
+    function()
+    coroutine()
+    assert not function._pending() and coroutine.done()

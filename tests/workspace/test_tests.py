@@ -243,6 +243,78 @@ def test_xml_files_are_looked_at(tmp_path: Path, capsys: pytest.CaptureFixture[s
 
 
 @pytest.mark.process
+def test_style_is_checked_by_the_configuration_that_a_test_names(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from ament_flake8 import main as ament_flake8
+
+    file = tmp_path / "wide.py"
+    file.write_text(f"x = '{'-' * 100}'\n", encoding="utf-8")
+    wide = tmp_path / "wide.ini"
+    wide.write_text("[flake8]\nmax-line-length = 120\n", encoding="utf-8")
+    (tmp_path / ".flake8").write_text("[flake8]\nmax-line-length = 120\n", encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    known = {"flake8": ament_flake8.find_spec("flake8"), "none": None}
+    for name, found in known.items():
+        monkeypatch.setattr(ament_flake8, "find_spec", lambda _, found=found: found)
+        assert ament_flake8.main([str(file)]) == 1, f"ROS reads no configuration that lies about ({name})"
+        assert ament_flake8.main(["--linelength", "120", str(file)]) == 0
+        if found is not None:
+            assert ament_flake8.main(["--config", str(wide), "."]) == 0
+            assert ament_flake8.main(["--exclude", "wide.py", "--linelength", "99"]) == 0
+
+
+def test_only_the_docstring_of_a_function_begins_with_a_capital(tmp_path: Path) -> None:
+    from ament_pep257.main import main as pep257
+
+    file = tmp_path / "described.py"
+    file.write_text('class Case:\n    """unittest of a thing."""\n', encoding="utf-8")
+    assert pep257([str(file)]) == 0
+    file.write_text('def case():\n    """unittest of a thing."""\n', encoding="utf-8")
+    assert pep257([str(file)]) == 1
+
+
+def test_tests_beside_each_other_hold_different_domains() -> None:
+    """As `launch_pytest` fixtures of public packages ask for one."""
+    from domain_coordinator import domain_id
+
+    with domain_id() as first, domain_id() as second:
+        assert 1 <= first < second <= 100
+        with pytest.raises(RuntimeError, match=r"^Failed to get a unique ROS domain ID$"), domain_id(lambda: first):
+            raise AssertionError
+    with domain_id(lambda: first) as again:
+        assert again == first, "what was given back can be held"
+    with pytest.raises(ZeroDivisionError), domain_id():
+        _ = 1 // 0
+
+
+@pytest.mark.process
+def test_types_are_checked_as_in_ros(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """The test that some packages have beside those of flake8 and PEP 257."""
+    from ament_mypy.main import main as mypy
+
+    assert mypy([str(tmp_path)]) == 1 and capsys.readouterr().err == "No files found\n"
+    (tmp_path / "right.py").write_text("import no_such_module\n\nx: int = no_such_module.x\n", encoding="utf-8")
+    assert mypy([str(tmp_path)]) == 0, "what is imported may have no types"
+    (tmp_path / "wrong.py").write_text("x: int = 'text'\n", encoding="utf-8")
+    capsys.readouterr()
+    assert mypy([str(tmp_path)]) == 1
+    assert "wrong.py:1:10: error: Incompatible types in assignment" in capsys.readouterr().out
+    assert mypy(["--exclude", "wrong.py", "--", str(tmp_path)]) == 0
+    assert mypy(["--config", str(tmp_path / "none.ini"), str(tmp_path)]) == 1
+
+
+def test_without_mypy_the_test_of_types_fails_and_says_why(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    from ament_mypy import main as ament_mypy
+
+    monkeypatch.setattr(ament_mypy, "find_spec", lambda name: None)
+    assert ament_mypy.main([]) == 1
+    assert capsys.readouterr().err == "mypy is not installed (pip install mypy)\n"
+
+
+@pytest.mark.process
 def test_tests_that_cannot_run_here_are_named_and_counted_as_skipped(workshop: Workshop) -> None:
     cmake_package(workshop, "ament_add_gtest(speed test/speed.cpp)\n  ament_lint_auto_find_test_dependencies()")
     done = workshop.run("colcon build > /dev/null\ncolcon test\ncolcon test-result --all")

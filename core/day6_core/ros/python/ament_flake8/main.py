@@ -6,6 +6,7 @@ Those are: syntax errors (E999), lines over 99 characters (E501), tabs (W191), t
 
 from __future__ import annotations
 
+import argparse
 import ast
 import os
 import subprocess
@@ -25,39 +26,52 @@ def main(argv: list[str] | None = None) -> int:
 
 def main_with_errors(argv: list[str] | None = None) -> tuple[int, list[str]]:
     """Like `main`; returns (exit status, lines like `./hello/talker.py:3:1: F401 'math' imported but unused`)."""
-    paths = [path for path in (sys.argv[1:] if argv is None else argv) if not path.startswith("-")]
-    errors = _by_flake8(paths) if find_spec("flake8") is not None else _by_ourselves(paths)
+    parser = argparse.ArgumentParser(prog="ament_flake8", description="Check style with flake8.")
+    parser.add_argument("--config", metavar="path", help="a configuration of flake8 in place of that of ROS")
+    parser.add_argument("--linelength", metavar="N", type=int, help="the maximum line length")
+    parser.add_argument("--exclude", metavar="filename", nargs="*", default=[], help="files to leave out")
+    parser.add_argument("paths", nargs="*", default=[os.curdir], help="files and folders")
+    chosen = parser.parse_args(sys.argv[1:] if argv is None else argv)
+    if find_spec("flake8") is None:
+        errors = _by_ourselves(chosen.paths, chosen.linelength or _LONGEST)
+    else:
+        settings = ["--isolated", "--extend-ignore=D,B902,C816,I202", f"--max-line-length={_LONGEST}"]
+        if chosen.config:
+            settings = [f"--config={chosen.config}"]
+        if chosen.linelength:
+            settings.append(f"--max-line-length={chosen.linelength}")
+        if chosen.exclude:
+            settings.append(f"--exclude={','.join(chosen.exclude)}")
+        errors = _by_flake8([*settings, *chosen.paths])
     for error in errors:
         print(error)
     print(f"\n{len(errors)} errors" if errors else "No problems found")
     return (1 if errors else 0), errors
 
 
-def _by_flake8(paths: list[str]) -> list[str]:
-    options = [f"--max-line-length={_LONGEST}", "--extend-ignore=D,B902,C816,I202"]
-    done = subprocess.run(
-        [sys.executable, "-m", "flake8", *options, *(paths or ["."])], capture_output=True, text=True, encoding="utf-8"
-    )
+def _by_flake8(words: list[str]) -> list[str]:
+    done = subprocess.run([sys.executable, "-m", "flake8", *words], capture_output=True, text=True, encoding="utf-8")
     return done.stdout.splitlines()
 
 
-def _by_ourselves(paths: list[str]) -> list[str]:
+def _by_ourselves(paths: list[str], longest: int) -> list[str]:
     found = []
     for path in sorted(files_below(paths, ".py")):
         with open(path, encoding="utf-8", errors="replace", newline="") as file:
             text = file.read().replace("\r\n", "\n")
         shown = path if path.startswith(os.curdir) else os.path.join(os.curdir, path)
         found += [
-            f"{shown}:{line}:{column}: {what}" for line, column, what in sorted({*_layout(text), *_meaning(text)})
+            f"{shown}:{line}:{column}: {what}"
+            for line, column, what in sorted({*_layout(text, longest), *_meaning(text)})
         ]
     return found
 
 
-def _layout(text: str) -> Iterator[tuple[int, int, str]]:
+def _layout(text: str, longest: int) -> Iterator[tuple[int, int, str]]:
     lines = text.split("\n")
     for number, line in enumerate(lines, 1):
-        if len(line) > _LONGEST:
-            yield number, _LONGEST + 1, f"E501 line too long ({len(line)} > {_LONGEST} characters)"
+        if len(line) > longest:
+            yield number, longest + 1, f"E501 line too long ({len(line)} > {longest} characters)"
         if line[: len(line) - len(line.lstrip())].count("\t"):
             yield number, 1, "W191 indentation contains tabs"
         if line != line.rstrip():

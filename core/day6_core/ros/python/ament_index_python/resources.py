@@ -1,6 +1,7 @@
 """The resource index: files `share/ament_index/resource_index/<type>/<name>` below every prefix.
 
-The packages of day6-tui have no such files of the type `packages`; they are found by their package.xml.
+The packages of day6-tui have no such files of the types `packages` and `rosidl_interfaces`; they are found by their package.xml
+and by the definitions of their interfaces.
 """
 
 from __future__ import annotations
@@ -12,7 +13,10 @@ from typing import Literal
 
 from ament_index_python.constants import RESOURCE_INDEX_SUBFOLDER
 from ament_index_python.search_paths import BUILT_IN_PREFIX, get_search_paths
+from day6_core.ros.differences import has_interface, own_texts
 from day6_core.ros.environment import shipped_packages
+
+_PACKAGES, _INTERFACES = "packages", "rosidl_interfaces"
 
 
 class InvalidResourceTypeNameError(ValueError):
@@ -34,7 +38,8 @@ def get_resource(resource_type: str, resource_name: str) -> tuple[str, str]:
         raise LookupError(f"Could not find the resource '{resource_name}' of type '{resource_type}'")
     file = Path(prefix, RESOURCE_INDEX_SUBFOLDER, resource_type, resource_name)
     if _is_ours(prefix, resource_type) and not file.is_file():
-        return "", prefix
+        interfaces = shipped_interfaces(resource_name) if resource_type == _INTERFACES else []
+        return "\n".join(f"{name}.{name.partition('/')[0]}" for name in interfaces), prefix
     try:
         return file.read_text(encoding="utf-8"), prefix
     except OSError as error:
@@ -57,7 +62,7 @@ def get_resources(resource_type: str) -> dict[str, str]:
 
 def get_resource_types() -> set[str]:
     """Return the types of all resources."""
-    found = {"packages"}
+    found = {_PACKAGES, _INTERFACES}
     for prefix in get_search_paths():
         index = Path(prefix, RESOURCE_INDEX_SUBFOLDER)
         if index.is_dir():
@@ -88,14 +93,22 @@ def _is_invalid_name(name: str) -> bool:
 
 
 def _is_ours(prefix: str, resource_type: str) -> bool:
-    return prefix == BUILT_IN_PREFIX and resource_type == "packages"
+    return prefix == BUILT_IN_PREFIX and resource_type in (_PACKAGES, _INTERFACES)
 
 
 def names_in(prefix: str, resource_type: str) -> Iterator[str]:
     """Yield the names of the resources of a type under one prefix, sorted."""
     if _is_ours(prefix, resource_type):
-        yield from shipped_packages()
+        packages = shipped_packages()
+        yield from packages if resource_type == _PACKAGES else filter(shipped_interfaces, packages)
         return
     folder = Path(prefix, RESOURCE_INDEX_SUBFOLDER, resource_type)
     if folder.is_dir():
         yield from sorted(name for name in os.listdir(folder) if name[0] != "." and not (folder / name).is_dir())
+
+
+def shipped_interfaces(package: str) -> list[str]:
+    """Return the interfaces of a package that comes with day6-tui, sorted, like 'msg/String'."""
+    share = Path(BUILT_IN_PREFIX, "share", package)
+    names = {f"{kind}/{path.stem}" for kind in ("action", "msg", "srv") for path in (share / kind).glob(f"*.{kind}")}
+    return sorted(name for name in {*names, *own_texts(package)} if has_interface(f"{package}/{name}"))

@@ -8,6 +8,7 @@ _MARKS = (
     "linter: marks tests as linter checks",
     "copyright: marks tests checking for a copyright statement in non-empty source files",
     "flake8: marks tests checking for flake8 compliance",
+    "mypy: marks tests checking for static types",
     "pep257: marks tests checking for PEP 257 compliance",
     "xmllint: marks tests checking XML files being well formed and valid",
 )

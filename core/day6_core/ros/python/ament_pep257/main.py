@@ -32,10 +32,11 @@ def _errors(text: str) -> Iterator[tuple[int, str]]:
             if doc is not None:
                 line = node.body[0].lineno
                 source = ast.get_source_segment(text, node.body[0]) or ""
-                yield from ((line, what) for what in _errors_of(doc, source))
+                is_function = isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef))
+                yield from ((line, what) for what in _errors_of(doc, source, is_function))
 
 
-def _errors_of(doc: str, source: str) -> Iterator[str]:
+def _errors_of(doc: str, source: str, is_function: bool) -> Iterator[str]:
     lines = doc.strip().splitlines()
     if not lines:
         yield "D419: Docstring is empty"
@@ -49,5 +50,5 @@ def _errors_of(doc: str, source: str) -> Iterator[str]:
     if not lines[0].rstrip().endswith("."):
         yield f"D400: First line should end with a period (not {lines[0].rstrip()[-1]!r})"
     first = lines[0].split()[0]
-    if first.isalpha() and first[0].islower():
+    if is_function and first.isalpha() and first[0].islower():
         yield f"D403: First word of the first line should be properly capitalized ({first.capitalize()!r}, not {first!r})"

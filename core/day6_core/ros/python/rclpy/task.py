@@ -37,6 +37,10 @@ _FINISHED = FutureState.FINISHED
 _CANCELLED = FutureState.CANCELLED
 
 
+def _no_executor() -> None:
+    """Stand for the weak reference of a future that has no executor."""
+
+
 class Future(Generic[T]):
     """A result that is not available yet. It can be awaited in coroutines that an executor runs."""
 
@@ -49,7 +53,7 @@ class Future(Generic[T]):
         self._watchers: list[Callable[[], None]] = []
         """Called at once, on the thread that completes the future: executors and tasks that wait for it."""
         self._lock = threading.Lock()
-        self._executor: weakref.ReferenceType[Executor] | None = None if executor is None else weakref.ref(executor)
+        self._executor: Callable[[], Executor | None] = _no_executor if executor is None else weakref.ref(executor)
 
     def __del__(self) -> None:
         if self._exception is not None and not self._exception_fetched:
@@ -114,7 +118,7 @@ class Future(Generic[T]):
 
     def _schedule_or_invoke_done_callbacks(self) -> None:
         with self._lock:
-            executor = None if self._executor is None else self._executor()
+            executor = self._executor()
             callbacks, self._callbacks = self._callbacks, []
             watchers, self._watchers = self._watchers, []
         for watcher in watchers:
@@ -130,7 +134,7 @@ class Future(Generic[T]):
 
     def _set_executor(self, executor: Executor | None) -> None:
         with self._lock:
-            self._executor = None if executor is None else weakref.ref(executor)
+            self._executor = _no_executor if executor is None else weakref.ref(executor)
 
     def add_done_callback(self, callback: Callable[[Future[T]], object]) -> None:
         """Call `callback(future)` once the future is complete: as a task of its executor if it has one, else at once."""
@@ -138,7 +142,7 @@ class Future(Generic[T]):
             if self._state is _PENDING:
                 self._callbacks.append(callback)
                 return
-            executor = None if self._executor is None else self._executor()
+            executor = self._executor()
         if executor is not None:
             executor.create_task(callback, self)
         else:
@@ -186,6 +190,11 @@ class Task(Future[T]):
         self._executing = False
         self._awaited: Future[Any] | None = None
         self._task_lock = threading.Lock()
+
+    @property
+    def _handler(self) -> object:
+        """What is to be run, by the name under which executors of others look whether it is a coroutine."""
+        return self._function if self._coroutine is None else self._coroutine
 
     @classmethod
     def _of_coroutine(cls, coroutine: Coroutine[object, None, T], executor: Executor) -> Task[T]:

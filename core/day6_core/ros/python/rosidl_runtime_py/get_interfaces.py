@@ -6,9 +6,10 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from ament_index_python.packages import get_packages_with_prefixes
+from ament_index_python.resources import shipped_interfaces
 from ament_index_python.search_paths import BUILT_IN_PREFIX
 
-from day6_core.ros.differences import has_interface, own_texts, path_of
+from day6_core.ros.differences import has_interface, path_of
 
 _KINDS = ("msg", "srv", "action")
 
@@ -87,13 +88,12 @@ def _interfaces(package_names: Iterable[str], kinds: tuple[str, ...], environmen
 
 
 def _definitions(prefix: Path, package: str, kinds: tuple[str, ...]) -> list[str]:
+    if str(prefix) == BUILT_IN_PREFIX:
+        return [name for name in shipped_interfaces(package) if name.partition("/")[0] in kinds]
     names = set()
     for kind in kinds:
         for path in (prefix / "share" / package / kind).glob("*"):
             # Names with an underscore are parts of services and actions, not interfaces of their own.
             if path.suffix in (f".{kind}", ".idl") and "_" not in path.stem:
                 names.add(f"{kind}/{path.stem}")
-    if str(prefix) == BUILT_IN_PREFIX:
-        names.update(name for name in own_texts(package) if name.partition("/")[0] in kinds)
-        names = {name for name in names if has_interface(f"{package}/{name}")}
     return sorted(names)

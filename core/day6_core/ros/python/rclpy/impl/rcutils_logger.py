@@ -29,16 +29,24 @@ __getattr__ = also(
 _INTERNAL_FILES: frozenset[str] = frozenset(
     (__file__, os.path.join(os.path.dirname(os.path.dirname(__file__)), "logging.py"))
 )
+_internal_callers: list[str] = []
+"""What others count as logging code too: tools that wrap the loggers add (a part of) the path of their file."""
 _absolute: dict[str, str] = {}
 
 
 def _find_caller(frame: FrameType | None) -> FrameType:
     """Return the nearest frame outside the logging code."""
-    while frame is not None and frame.f_code.co_filename in _INTERNAL_FILES:
+    while frame is not None and _is_internal(frame.f_code.co_filename):
         frame = frame.f_back
     if frame is None:
         raise ValueError("Cannot get frame info if frame is None")
     return frame
+
+
+def _is_internal(file: str) -> bool:
+    if file in _INTERNAL_FILES:
+        return True
+    return bool(_internal_callers) and any(part in os.path.realpath(file) for part in _internal_callers)
 
 
 class CallerId(NamedTuple):
