@@ -60,15 +60,15 @@ def start(kernel: Kernel, function: Callable[[], object]) -> threading.Thread:
 
 def test_a_wait_takes_its_time_and_nothing_else(kernel: Kernel) -> None:
     assert kernel.wait(3 * SECOND) is False
-    assert kernel.time() == 3 * SECOND
+    assert kernel.now == 3 * SECOND
     assert kernel.wait(0) is False
-    assert kernel.time() == 3 * SECOND
+    assert kernel.now == 3 * SECOND
 
 
 def test_reading_the_clock_takes_a_little_and_then_lets_others_go_on(kernel: Kernel) -> None:
     assert [kernel.clock(), kernel.clock()] == [READ_NS, 2 * READ_NS]
     seen: list[int] = []
-    thread = start(kernel, lambda: seen.append(kernel.time()))
+    thread = start(kernel, lambda: seen.append(kernel.now))
     while not seen:
         kernel.clock()
     assert seen == [LONGEST_READING_NS]
@@ -82,7 +82,7 @@ def test_threads_run_one_after_the_other_in_the_order_of_their_times(kernel: Ker
         def run() -> None:
             for each in seconds:
                 kernel.wait(each * SECOND)
-                said.append((name, kernel.time() // SECOND))
+                said.append((name, kernel.now // SECOND))
 
         return run
 
@@ -99,11 +99,11 @@ def test_a_lock_is_handed_on_and_a_time_limit_ends_the_waiting(kernel: Kernel) -
     said: list[str] = []
 
     def impatient() -> None:
-        said.append(f"impatient {lock.acquire(timeout=1)} {kernel.time() / SECOND}")
+        said.append(f"impatient {lock.acquire(timeout=1)} {kernel.now / SECOND}")
 
     def patient() -> None:
         with lock:
-            said.append(f"patient {kernel.time() / SECOND}")
+            said.append(f"patient {kernel.now / SECOND}")
 
     threads = [start(kernel, impatient), start(kernel, patient)]
     kernel.wait(2 * SECOND)
@@ -137,7 +137,7 @@ def test_a_condition_works_with_these_locks(kernel: Kernel, monkeypatch: pytest.
         with condition, condition:
             while not condition.wait(5):
                 continue
-            taken.append(kernel.time() // SECOND)
+            taken.append(kernel.now // SECOND)
 
     thread = start(kernel, consumer)
     kernel.wait(7 * SECOND)
@@ -152,7 +152,7 @@ def test_what_is_watched_is_looked_at_before_time_goes_on(kernel: Kernel) -> Non
     there: list[int] = []
     thread = start(kernel, lambda: (kernel.wait(SECOND), there.append(1)))
     assert kernel.wait(9 * SECOND, Watch(lambda: there, ())) is True
-    assert kernel.time() == SECOND
+    assert kernel.now == SECOND
     thread.join()
 
 
@@ -160,7 +160,7 @@ def test_a_handler_of_a_signal_waits_for_the_main_threads_turn_and_may_end_its_w
     said: list[str] = []
 
     def handler(number: int, frame: object) -> None:
-        said.append(f"{number} at {kernel.time() // SECOND}")
+        said.append(f"{number} at {kernel.now // SECOND}")
         if number == 2:
             raise KeyboardInterrupt
 
@@ -190,4 +190,4 @@ def test_a_signal_from_outside_ends_the_idling(kernel: Kernel) -> None:
     world.outside.append(lambda kernel: kernel.arrived(1, None))
     assert kernel.wait(SECOND) is False
     assert (said, world.wanted) == ([1], 1)
-    assert kernel.time() == SECOND
+    assert kernel.now == SECOND

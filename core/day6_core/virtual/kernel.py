@@ -85,8 +85,8 @@ class Kernel:
     def __init__(self) -> None:
         self.now = 0
         """ns since the world began."""
-        self.read = 0
-        """What reading clocks has taken since `now`."""
+        self.yield_at = LONGEST_READING_NS
+        """When who only reads the clock lets others go on."""
         self.main = Wait(_get_ident())
         self.running = self.main
         self.turns = 0
@@ -110,16 +110,13 @@ class Kernel:
 
     # -- clocks --------------------------------------------------------------------------------------------------------
 
-    def time(self) -> int:
-        """Return what time it is, ns, without taking any."""
-        return self.now + self.read
-
     def clock(self) -> int:
         """Read the clock, ns."""
-        self.read += READ_NS
-        if self.read >= LONGEST_READING_NS:
+        now = self.now = self.now + READ_NS
+        if now >= self.yield_at:
             self.wait(0)
-        return self.now + self.read
+            return self.now
+        return now
 
     # -- threads -------------------------------------------------------------------------------------------------------
 
@@ -177,7 +174,7 @@ class Kernel:
             self._in_kernel = True
         mine.waiting, mine.woken, mine.late = True, False, False
         if ns is not None and ns < FOR_EVER_NS:
-            mine.deadline = self.now + self.read + max(0, ns)
+            mine.deadline = self.now + max(0, ns)
             heapq.heappush(self._timed, (mine.deadline, next(self._numbers), mine))
         else:
             mine.deadline = -1
@@ -235,7 +232,9 @@ class Kernel:
             self.idling = True
             if not self._ready:  # a signal may have come before it knew that somebody has to be told
                 now = self.world.idle(self)
-                self.now, self.read = max(now, self.now + self.read), 0
+                if now > self.now:
+                    self.now = now
+                self.yield_at = self.now + LONGEST_READING_NS
             self.idling = False
             self._wake_who_is_due()
 

@@ -12,7 +12,7 @@ import select
 import signal
 import socket
 
-from day6_core.virtual.kernel import Kernel
+from day6_core.virtual.kernel import LONGEST_READING_NS, Kernel
 from day6_core.virtual.wire import NEVER, SIZE, Flag, Kind, packed, unpacked
 
 _poll, _raise_signal = select.poll, signal.raise_signal
@@ -29,7 +29,7 @@ def state_of(kernel: Kernel) -> tuple[int, int, int]:
         if holds:
             flags |= Flag.HOLDS
     deadline = kernel.deadline
-    return flags, kernel.now + kernel.read, NEVER if deadline is None else deadline
+    return flags, kernel.now, NEVER if deadline is None else deadline
 
 
 def deliver(kernel: Kernel, number: int) -> None:
@@ -56,7 +56,8 @@ class Member:
 
     def enter(self, kernel: Kernel) -> None:
         """Wait for the first turn."""
-        kernel.now, kernel.read = self._until_go(kernel), 0
+        kernel.now = self._until_go(kernel)
+        kernel.yield_at = kernel.now + LONGEST_READING_NS
 
     # -- for the coordinator -------------------------------------------------------------------------------------------
 

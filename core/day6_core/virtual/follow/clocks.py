@@ -12,7 +12,7 @@ from collections.abc import Callable
 from typing import Any
 
 from day6_core.virtual.follow.imports import when_imported
-from day6_core.virtual.kernel import Kernel
+from day6_core.virtual.kernel import READ_NS, Kernel
 
 EPOCH_NS = 1_767_225_600_000_000_000
 """When every world begins: 2026-01-01, 00:00 UTC."""
@@ -28,8 +28,9 @@ def install(kernel: Kernel) -> None:
             raise ValueError("sleep length must be non-negative")
         kernel.wait(int(seconds * 1e9))
 
-    def time_ns() -> int:
-        return EPOCH_NS + clock()
+    def time_ns() -> int:  # thousands of times a second: as `Kernel.clock`, without calling it
+        now = kernel.now = kernel.now + READ_NS
+        return EPOCH_NS + (now if now < kernel.yield_at else clock())
 
     def seconds_since_1970() -> float:
         return (EPOCH_NS + clock()) / 1e9
@@ -38,7 +39,8 @@ def install(kernel: Kernel) -> None:
         return clock() / 1e9
 
     def monotonic_ns() -> int:
-        return clock()
+        now = kernel.now = kernel.now + READ_NS
+        return now if now < kernel.yield_at else clock()
 
     for function, names in (
         (sleep, ("sleep",)),

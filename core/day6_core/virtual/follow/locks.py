@@ -86,7 +86,7 @@ class Lock:
 
     def _wait(self, ns: int | None) -> bool:
         kernel = _kernel
-        end = None if ns is None else kernel.time() + ns
+        end = None if ns is None else kernel.now + ns
         waiting = self._waiting
         if waiting is None:
             waiting = self._waiting = deque()
@@ -94,7 +94,7 @@ class Lock:
         while True:
             waiting.append(mine)
             try:
-                kernel.wait(None if end is None else end - kernel.time())
+                kernel.wait(None if end is None else end - kernel.now)
             except BaseException:  # of a handler of a signal
                 if not self._locked and mine not in waiting and waiting:
                     kernel.wake(waiting.popleft())  # it was this one's turn
@@ -105,7 +105,7 @@ class Lock:
             if not self._locked:
                 self._locked = True
                 return True
-            if end is not None and kernel.time() >= end:
+            if end is not None and kernel.now >= end:
                 return False
 
     def _at_fork_reinit(self) -> None:
@@ -128,10 +128,25 @@ class RLock:
         self._count = 0
 
     def __enter__(self) -> bool:
-        return self.acquire()
+        me = _get_ident()
+        if self._owner == me:
+            self._count += 1
+            return True
+        lock = self._lock
+        if lock._locked:
+            lock.acquire()
+        else:
+            lock._locked = True
+        self._owner, self._count = me, 1
+        return True
 
     def __exit__(self, *_: object) -> None:
-        self.release()
+        if self._owner != _get_ident():
+            raise RuntimeError("cannot release un-acquired lock")
+        self._count -= 1
+        if not self._count:
+            self._owner = None
+            self._lock.__exit__()
 
     def acquire(self, blocking: bool = True, timeout: float = -1) -> bool:
         """Take it, once more if the calling thread has it; False if that isn't possible in time."""

@@ -1,0 +1,96 @@
+"""The table of virtual time, by hand: `python -m tests.virtual.table [--runs N]`. Seconds are this machine's.
+
+Ten simulated minutes of talker, listener, turtlesim, a broadcaster of tf2 and an action client; N runs of the six processes of
+`test_worlds` with busy loops beside; and what the mode costs a program in which nobody waits, beside the same in real time.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import resource
+import subprocess
+import sys
+import tempfile
+import time
+from collections import Counter
+from pathlib import Path
+
+from tests.virtual.conftest import World
+from tests.virtual.test_worlds import SIX, files
+
+TEN_MINUTES = (
+    "python3 listener.py & python3 talker.py & ros2 run turtlesim turtlesim_node & python3 broadcaster.py & "
+    "python3 fibonacci.py & for n in 1 2 3 4 5 6 7 8 9 10; do "
+    'ros2 action send_goal /fibonacci example_interfaces/action/Fibonacci "{order: 45}"; done; sleep 156; '
+    "kill -9 %1 %2 %3 %4 %5; echo $SECONDS"
+)
+NOBODY_WAITS = """
+import time, rclpy
+from std_msgs.msg import String
+rclpy.init()
+node = rclpy.create_node("node")
+heard = []
+node.create_subscription(String, "chatter", heard.append, 10)
+publisher = node.create_publisher(String, "chatter", 10)
+began = time.process_time()
+for n in range(30_000):
+    publisher.publish(String(data=str(n)))
+    rclpy.spin_once(node, timeout_sec=0)
+print(time.process_time() - began)
+"""
+
+
+def main() -> None:
+    """Print the table."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--runs", type=int, default=20)
+    runs: int = parser.parse_args().runs
+    with tempfile.TemporaryDirectory() as folder:
+        world = World(Path(folder))
+        files(world)
+        ten_minutes(world)
+        overhead(world)
+        repeat(world, runs)
+        world.close()
+
+
+def ten_minutes(world: World) -> None:
+    """Print how long ten minutes take."""
+    before, began = resource.getrusage(resource.RUSAGE_CHILDREN), time.monotonic()
+    done = world.fast(TEN_MINUTES)
+    took, after = time.monotonic() - began, resource.getrusage(resource.RUSAGE_CHILDREN)
+    cpu = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    simulated = done.stdout.splitlines()[-1]
+    print(f"{simulated} simulated seconds, five programs: {took:.1f} s, {cpu:.1f} s of CPU", flush=True)
+
+
+def overhead(world: World) -> None:
+    """Print what a program costs that never waits, relative to real time; each three times in turn, the least counts."""
+    world.file("busy.py", NOBODY_WAITS)
+    costs: dict[bool, list[float]] = {True: [], False: []}
+    for _ in range(3):
+        for fast in costs:
+            words = ["python", *(["--fast"] if fast else []), "busy.py"]
+            costs[fast].append(float(world.run(*words, DAY6_LINK="off").stdout))
+    print(f"CPU where nobody waits: {min(costs[True]) / min(costs[False]):.2f} of that in real time", flush=True)
+
+
+def repeat(world: World, runs: int) -> None:
+    """Print how many of some runs of six processes, beside busy loops that come and go, say the same."""
+    said: Counter[tuple[str, str]] = Counter()
+    for number in range(runs):
+        busy = [subprocess.Popen([sys.executable, "-c", "while True: pass"]) for _ in range(number % 5)]
+        try:
+            done = world.fast(SIX)
+        finally:
+            for each in busy:
+                each.kill()
+                each.wait()
+        said[done.stdout, done.stderr] += 1
+    cores = len(os.sched_getaffinity(0))
+    print(f"six processes, 0 to 4 busy loops beside on {cores} cores: {max(said.values())} of {runs} runs are the same")
+
+
+if __name__ == "__main__":
+    main()
