@@ -85,8 +85,9 @@ asyncio.run(main())
     ),
     "processes": (
         """
-import os, subprocess, sys, time
+import os, shlex, subprocess, sys, time
 def now(): return round(time.monotonic(), 2)
+python = shlex.quote(sys.executable)
 code = "import time, sys; time.sleep(3); print(sys.stdin.read().strip(), round(time.monotonic(), 2)); sys.exit(4)"
 done = subprocess.run([sys.executable, "-c", code], input="hi", capture_output=True, text=True)
 print(done.stdout.strip(), done.returncode, now())
@@ -94,13 +95,13 @@ try: subprocess.run([sys.executable, "-c", "import time; time.sleep(9)"], timeou
 except subprocess.TimeoutExpired as error: print(round(error.timeout), now())
 pair = [subprocess.Popen([sys.executable, "-c", f"import time; time.sleep({n}); print({n})"]) for n in (2, 1)]
 print([each.wait() for each in pair], now())
-print(os.system(f'{sys.executable} -c "import time; time.sleep(1); raise SystemExit(5)"') >> 8, now())
+print(os.system(f'{python} -c "import time; time.sleep(1); raise SystemExit(5)"') >> 8, now())
 pid = os.fork()
 if not pid:
     time.sleep(4); print("child", now()); os._exit(3)
 print(os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1]), now())
 print(subprocess.run(["sh", "-c", "sleep 0.01; echo real"], capture_output=True, text=True).stdout.strip(), now())
-script = f'{sys.executable} -c "import time; time.sleep(5)"; echo then; {sys.executable} -c "import time; time.sleep(5)"'
+script = f'{python} -c "import time; time.sleep(5)"; echo then; {python} -c "import time; time.sleep(5)"'
 print(subprocess.run(["sh", "-c", script], capture_output=True, text=True).stdout.strip(), now())
 """,
         "hi 3.0 4 3.0\n2 5.0\n1\n2\n[0, 0] 7.0\n5 8.0\nchild 12.0\n3 12.0\nreal 12.0\nthen 22.0\n",
