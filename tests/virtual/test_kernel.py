@@ -156,6 +156,24 @@ def test_what_is_watched_is_looked_at_before_time_goes_on(kernel: Kernel) -> Non
     thread.join()
 
 
+def test_what_looking_raises_is_raised_where_it_was_asked_for(kernel: Kernel) -> None:
+    def look() -> bool:
+        raise OSError("closed")
+
+    said: list[str] = []
+
+    def asks() -> None:
+        try:
+            kernel.wait(None, Watch(look, ()))
+        except OSError as error:
+            said.append(str(error))
+
+    thread = start(kernel, asks)
+    kernel.wait(SECOND)
+    assert (said, kernel.now) == (["closed"], SECOND)
+    thread.join()
+
+
 def test_a_handler_of_a_signal_waits_for_the_main_threads_turn_and_may_end_its_wait(kernel: Kernel) -> None:
     said: list[str] = []
 

@@ -167,11 +167,24 @@ threading.Timer(1, signal.raise_signal, [signal.SIGINT]).start()
 try: time.sleep(9)
 except KeyboardInterrupt: print("interrupted", now())
 code = "import time\\ntry: time.sleep(99)\\nexcept KeyboardInterrupt: print('in the child', round(time.monotonic(), 2))"
+signal.signal(signal.SIGALRM, lambda number, frame: print("alarm", now()))
+signal.alarm(3); signal.pause(); print(signal.alarm(9), signal.alarm(0)); time.sleep(10)
 for number in signal.SIGINT, signal.SIGTERM, signal.SIGKILL:
     child = subprocess.Popen([sys.executable, "-c", code]); time.sleep(1)
     child.send_signal(number); print(child.wait(), now())
 """,
-        "True\nhandler 10 1.0\n3.0\ninterrupted 4.0\nin the child 5.0\n0 5.0\n-15 6.0\n-9 7.0\n",
+        """\
+True
+handler 10 1.0
+3.0
+interrupted 4.0
+alarm 7.0
+0 9
+in the child 18.0
+0 18.0
+-15 19.0
+-9 20.0
+""",
     ),
     "chance": (
         """

@@ -49,7 +49,7 @@ class Watch:
 class Wait:
     """A thread, as one that waits or will."""
 
-    __slots__ = ("deadline", "gate", "ident", "late", "queued", "signalled", "waiting", "watch", "woken")
+    __slots__ = ("deadline", "error", "gate", "ident", "late", "queued", "signalled", "waiting", "watch", "woken")
 
     def __init__(self, ident: int = 0) -> None:
         self.ident = ident
@@ -57,6 +57,8 @@ class Wait:
         self.gate = _allocate_lock()
         self.gate.acquire()
         self.watch: Watch | None = None
+        self.error: Exception | None = None
+        """What looking for it has raised; some thread has looked, but this one asked."""
         self.waiting = False
         self.queued = False
         """It has its turn soon."""
@@ -107,6 +109,8 @@ class Kernel:
         self._waits = {self.main.ident: self.main}
         self.wakeup_fd = -1
         """What Python writes the numbers of signals to that have handlers."""
+        self.handled = 0
+        """How many signals have been."""
 
     # -- clocks --------------------------------------------------------------------------------------------------------
 
@@ -192,6 +196,9 @@ class Kernel:
                     self._in_kernel = False
                     self._handle()
                     self._in_kernel = True
+                if mine.error is not None:
+                    error, mine.error = mine.error, None
+                    raise error
                 if mine.woken or mine.late:
                     return mine.woken
         finally:
@@ -243,7 +250,13 @@ class Kernel:
     def look(self) -> bool:
         """Look for what threads watch; return whether one can go on."""
         for wait in list(self._watching):
-            if wait.watch is not None and not wait.woken and wait.watch.is_there():
+            if wait.watch is None or wait.woken:
+                continue
+            try:
+                is_there = wait.watch.is_there()
+            except Exception as error:
+                wait.error, is_there = error, True
+            if is_there:
                 self.wake(wait)
         return bool(self._ready)
 
@@ -292,6 +305,7 @@ class Kernel:
     def arrived(self, number: int, frame: FrameType | None) -> None:
         """Handle a signal. Python calls it in the main thread, at any moment, for all that have a handler."""
         if not self._in_kernel and self.running is self.main:
+            self.handled += 1
             self.handlers[number](number, frame)
             return
         self.deliver(number)
@@ -309,5 +323,6 @@ class Kernel:
         while self._arrived:
             number = self._arrived.popleft()
             handler = self.handlers.get(number)
+            self.handled += 1
             if handler is not None:
                 handler(number, None)

@@ -21,7 +21,7 @@ from day6_core.virtual.processes import is_ready
 from day6_core.virtual.surroundings import identity, outside
 
 _real_epoll, _real_poll, _real_select = select.epoll, select.poll, select.select
-_real_read = os.read
+_real_read, _real_close = os.read, os.close
 _kernel: Kernel
 _told: Callable[[int], object]
 _peers: dict[int, int] = {}
@@ -37,7 +37,7 @@ def install(kernel: Kernel, touched: Callable[[int], object]) -> None:
     module: Any = select
     module.epoll, module.poll, module.select = Epoll, Poll, select_
     system: Any = os
-    system.read = read
+    system.read, system.close = read, close
     when_imported("selectors", _follow_selectors)
     when_imported("socket", _follow_sockets)
     files: Any = io
@@ -226,6 +226,12 @@ def read(fd: int, length: int, /) -> bytes:
     if os.get_blocking(fd) and not stat.S_ISREG(os.fstat(fd).st_mode):
         wait_until_ready(fd, select.POLLIN, None)
     return _real_read(fd, length)
+
+
+def close(fd: int, /) -> None:
+    """As `os.close`."""
+    _peers.pop(fd, None)
+    _real_close(fd)
 
 
 class Pipe(io.FileIO):

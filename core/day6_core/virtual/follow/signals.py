@@ -9,14 +9,16 @@ if sys.platform != "linux":
 
 import _signal  # type: ignore[import-not-found]
 import _thread
+import math
 import os
 from collections.abc import Callable
 from typing import Any
 
-from day6_core.virtual.kernel import Kernel
+from day6_core.virtual.kernel import Kernel, Watch
 from day6_core.virtual.member import deliver as send
 
 _real_signal, _real_getsignal, _real_set_wakeup_fd = _signal.signal, _signal.getsignal, _signal.set_wakeup_fd
+_real_setitimer = _signal.setitimer
 _real_raise, _real_pthread_kill = _signal.raise_signal, _signal.pthread_kill
 _get_ident = _thread.get_ident
 
@@ -61,6 +63,37 @@ def install(kernel: Kernel) -> None:
         send(kernel, number)
         return True
 
+    def pause() -> None:
+        before = kernel.handled
+        kernel.wait(None, Watch(lambda: kernel.handled != before, (), told=True))
+
+    timer: list[tuple[int, int]] = [(0, 0)]
+    """When the alarm goes off, and how long after that again, ns; a new pair for each alarm."""
+
+    def setitimer(which: int, seconds: float, interval: float = 0.0, /) -> tuple[float, float]:
+        if which != _signal.ITIMER_REAL:
+            found: tuple[float, float] = _real_setitimer(which, seconds, interval)
+            return found
+        before, set_now = timer[0], (kernel.now + int(seconds * 1e9), int(interval * 1e9))
+        timer[0] = set_now
+        if seconds:
+            _thread.start_new_thread(ring, (set_now,))
+        return max(0, before[0] - kernel.now) / 1e9, before[1] / 1e9
+
+    def ring(mine: tuple[int, int]) -> None:
+        at, every = mine
+        while True:
+            kernel.wait(at - kernel.now)
+            if timer[0] is not mine:
+                return  # another one was set, or none
+            kill(os.getpid(), _signal.SIGALRM)
+            if not every:
+                return
+            at += every
+
+    def alarm(seconds: int, /) -> int:
+        return math.ceil(setitimer(_signal.ITIMER_REAL, seconds)[0])
+
     main, sent = _get_ident(), os.kill
     module: Any = _signal
     replaced: dict[str, Callable[..., Any]] = {
@@ -69,6 +102,9 @@ def install(kernel: Kernel) -> None:
         "set_wakeup_fd": set_wakeup_fd,
         "raise_signal": raise_signal,
         "pthread_kill": pthread_kill,
+        "pause": pause,
+        "setitimer": setitimer,
+        "alarm": alarm,
     }
     copies: Any = sys.modules.get("signal")  # has taken some of them as they are
     for name, function in replaced.items():
