@@ -26,18 +26,18 @@ TEN_MINUTES = (
     "kill -9 %1 %2 %3 %4 %5; echo $SECONDS"
 )
 NOBODY_WAITS = """
-import time, rclpy
+import os, rclpy
 from std_msgs.msg import String
 rclpy.init()
 node = rclpy.create_node("node")
 heard = []
 node.create_subscription(String, "chatter", heard.append, 10)
 publisher = node.create_publisher(String, "chatter", 10)
-began = time.process_time()
+began = sum(os.times()[:2])
 for n in range(30_000):
     publisher.publish(String(data=str(n)))
     rclpy.spin_once(node, timeout_sec=0)
-print(time.process_time() - began)
+print(sum(os.times()[:2]) - began)
 """
 
 

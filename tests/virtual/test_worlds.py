@@ -134,7 +134,8 @@ def test_six_processes_do_the_same_each_time_whatever_else_runs(world: World) ->
             each.kill()
             each.wait()
     for each in again:
-        assert (each.stdout, each.stderr) == (first.stdout, first.stderr)
+        assert each.stdout.splitlines() == first.stdout.splitlines()
+        assert each.stderr.splitlines() == first.stderr.splitlines()
 
 
 def test_launch_ends_its_processes_at_the_time_it_says(world: World) -> None:

@@ -302,7 +302,7 @@ def _private_folder(folder: Path) -> None:
 
 
 def _sockets(place: MeetingPlace) -> Iterator[Neighbour]:
-    for name in os.listdir(place.folder):
+    for name in sorted(os.listdir(place.folder)):  # in the same order each time that the same processes are there
         kind, _, rest = name.partition("-")
         zid, _, pid = rest.partition("-")
         if kind == "p" and pid.isdecimal():

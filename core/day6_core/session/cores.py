@@ -5,12 +5,17 @@ from __future__ import annotations
 import threading
 import time
 
+from day6_core.virtual.surroundings import is_virtual
+
 
 def waited_for_a_core(thread: int) -> float:
     """Seconds in which a thread of this process, by its system-wide number, was ready to run and got no core.
 
-    The second number of Linux's schedstat (its Documentation/scheduler/sched-stats.rst); 0 where the system does not tell.
+    The second number of Linux's schedstat (its Documentation/scheduler/sched-stats.rst); 0 where the system does not tell, and in
+    virtual time, of which nothing passes meanwhile.
     """
+    if is_virtual():
+        return 0.0
     try:
         with open(f"/proc/self/task/{thread}/schedstat", encoding="ascii") as file:
             return int(file.read().split()[1]) / 1e9

@@ -24,10 +24,12 @@ import signal
 import socket
 from collections.abc import Callable, Iterable
 from contextlib import suppress
+from time import monotonic as real_time
 
 from day6_core.virtual import processes
 from day6_core.virtual.kernel import Kernel
 from day6_core.virtual.member import state_of
+from day6_core.virtual.surroundings import outside
 from day6_core.virtual.told import TOLD_AFTER
 from day6_core.virtual.wire import NEVER, SIZE, Flag, Kind, packed, unpacked
 
@@ -65,10 +67,8 @@ class _Process:
         self.is_real = False
         """It waits for something real: others go on meanwhile."""
         self.is_stopped = False
-        self.above: _Process | None = None
-        """Which program that isn't Python has started it."""
-        self.starts_others = 0
-        """How many it has started itself, if it is such a program."""
+        self.stirred = 0
+        """How often it had run when it was last asked for, if it waits for something real."""
 
     @property
     def is_idle(self) -> bool:
@@ -99,8 +99,8 @@ class Coordinator:
         self._turns = 0
         """In which somebody did something."""
         self._running: _Process | None = None
-        self._unread = False
-        """Whether something from outside may be waiting in the members' sockets."""
+        self._still_since = -1.0
+        """Since when time stands still, in real seconds."""
 
     # -- what the first process does -------------------------------------------------------------------------------------
 
@@ -247,7 +247,7 @@ class Coordinator:
                 return
             pid = unpacked(data)[2]
             if pid not in self._members:
-                self._note_stranger(pid)
+                self.spawned(pid)  # something else than Python has started it
             member = self._members.get(pid)
             if member is None:
                 connected.close()
@@ -257,22 +257,9 @@ class Coordinator:
         elif expected is not None and expected.pidfd in ready:
             self._remove(expected)
 
-    def _note_stranger(self, pid: int) -> None:
-        """A process that something else than Python has started."""
-        self.spawned(pid)
-        above = processes.parent_of(pid)
-        while above > 1 and above not in self._members:
-            above = processes.parent_of(above)
-        program, member = self._members.get(above), self._members.get(pid)
-        if program is not None and member is not None and program.socket is None:
-            member.above = program
-            program.starts_others += 1
-
     def _remove(self, member: _Process) -> None:
         member.runs = False
         del self._members[member.pid]
-        if member.above is not None:
-            member.above.starts_others -= 1
         os.close(member.pidfd)
         if member.socket is not None:
             member.socket.close()
@@ -339,19 +326,38 @@ class Coordinator:
 
     def _pass(self, kernel: Kernel) -> bool:
         """Nobody has anything left to do now: let time pass to the next moment; False if it can't."""
+        if self._has_stirred():
+            return True
         first = NEVER
         for each in (self._own, *self._members.values()):
             if each.is_stopped:
                 continue
-            if each.flags & Flag.HOLDS or (each.is_real and not each.starts_others):
+            if each.flags & Flag.HOLDS or (each.is_real and self._holds(each)):
                 return False
             if each.deadline != NEVER and (first == NEVER or each.deadline < first):
                 first = each.deadline
         if first == NEVER:
             return False
+        self._still_since = -1.0
         self._advance(first)
         self._hear(each for each in self._members.values() if each.socket is not None)
         return True
+
+    def _has_stirred(self) -> bool:
+        """Whether something real has gone on, so that others may find something in their descriptors."""
+        found = False
+        for each in self._members.values():
+            if each.is_real and each.stirred != (now := processes.tree_stirred(each.pid, self._members)):
+                each.stirred = now
+                found = found or now >= 0
+        if found:
+            self._turns += 1
+            self._own.touched = True
+        return found
+
+    def _holds(self, member: _Process) -> bool:
+        """Whether something real that a process waits for holds time still: not what others in this world give it."""
+        return member.stirred < 0 or not processes.tree_waits_for_input(member.pid, self._members, outside())
 
     def _hear(self, members: Iterable[_Process]) -> None:
         """Take what processes have said unasked."""
@@ -379,10 +385,15 @@ class Coordinator:
         for watch in kernel.watched:
             for fd, events in watch.fds:
                 poll.register(fd, events)
-        ready = [fd for fd, _ in poll.poll(1000 * TOLD_AFTER)]
-        if not ready:
+        real = any(each.is_real for each in self._members.values())
+        ready = [fd for fd, _ in poll.poll(1000 * (PATIENCE if real else TOLD_AFTER))]
+        if not ready and self._still_since < 0:
+            self._still_since = real_time()
+        if ready:
+            self._still_since = -1.0
+        elif not real or real_time() - self._still_since > TOLD_AFTER:
             self._say_why()
-            ready = [fd for fd, _ in poll.poll()]
+            ready = [] if real else [fd for fd, _ in poll.poll()]
         if self._woken in ready:
             _read(self._woken, 4096)
         for fd in ready:
@@ -404,9 +415,9 @@ class Coordinator:
         everybody = (self._own, *self._members.values())
         real = [each for each in everybody if each.is_real]
         for each in real:
-            if each.socket is None and not each.starts_others:
+            if each.socket is None and self._holds(each):
                 self._say("foreign", each.pid, processes.command_of(each.pid))
-        if not real and not any(each.flags & Flag.HOLDS for each in everybody):
+        if not any(self._holds(each) for each in real) and not any(each.flags & Flag.HOLDS for each in everybody):
             self._say("nothing", 0, ", ".join(processes.command_of(pid) for pid in self._members))
 
     def _say(self, kind: str, number: int, what: str) -> None:

@@ -9,18 +9,20 @@ if sys.platform != "linux":
 
 import os
 import select
-from collections.abc import Iterator
+from collections.abc import Container, Iterator
 from itertools import count
 from pathlib import Path
 
+from day6_core.virtual.surroundings import identity
+
 _poll = select.poll
 _restless = count(-2, -1)
-
-
-def parent_of(pid: int) -> int:
-    """Return the number of its parent, 0 if it is gone."""
-    fields = _stat(f"/proc/{pid}/stat")
-    return int(fields[1]) if fields else 0
+_WAITING_FOR_INPUT = (
+    *("pipe_read", "anon_pipe_read", "pipe_wait", "pipe_wait_readable"),
+    *("n_tty_read", "wait_woken", "unix_stream_data_wait", "unix_stream_read_generic"),
+)
+"""Where Linux says that a thread waits which reads from a pipe, a terminal or a Unix socket."""
+_WAITING_FOR_A_CHILD = "do_wait"
 
 
 def stirred(pid: int) -> int:
@@ -38,10 +40,28 @@ def stirred(pid: int) -> int:
     return times
 
 
-def cpu_seconds(pid: int) -> float:
-    """Return the CPU time it has used, 0 if it is gone."""
-    fields = _stat(f"/proc/{pid}/stat")
-    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK") if fields else 0.0
+def tree_stirred(pid: int, known: Container[int]) -> int:
+    """The same of a process and those that it has started, but for those that are known."""
+    times = stirred(pid)
+    for child in _children(pid):
+        if times >= 0 and child not in known:
+            more = tree_stirred(child, known)
+            times = times + more if more >= 0 else more
+    return times
+
+
+def tree_waits_for_input(pid: int, known: Container[int], outside: str) -> bool:
+    """Return whether a process, and those that it has started, wait for what others write or for each other's end.
+
+    Those that are known are left out. What is read from `outside` (an identity) doesn't count, nor does a terminal or pipe where
+    the system doesn't say for what a process waits.
+    """
+    places = {_read(f"{thread}/wchan").strip("\0") for thread in _threads(pid)}
+    if not places.issubset((_WAITING_FOR_A_CHILD, *_WAITING_FOR_INPUT)):
+        return False
+    if places.intersection(_WAITING_FOR_INPUT) and identity(f"/proc/{pid}/fd/0") == outside:
+        return False
+    return all(child in known or tree_waits_for_input(child, known, outside) for child in _children(pid))
 
 
 def command_of(pid: int) -> str:
@@ -74,19 +94,25 @@ def _threads(pid: int) -> list[str]:
         return []
 
 
+def _children(pid: int) -> list[int]:
+    return [int(child) for thread in _threads(pid) for child in _read(f"{thread}/children").split()]
+
+
 def _slices(path: str) -> int:
     """How often a thread was given a core; 0 if it is gone."""
-    try:
-        with open(path, encoding="ascii") as file:
-            return int(file.read().split()[2])
-    except (OSError, IndexError):
-        return 0
+    fields = _read(path).split()
+    return int(fields[2]) if len(fields) > 2 else 0
 
 
 def _stat(path: str) -> list[str]:
     """The fields behind the name, from the state on; none if it is gone."""
+    return _read(path).rpartition(")")[2].split()
+
+
+def _read(path: str) -> str:
+    """The text of a file, '' if there is none any more."""
     try:
         with open(path, encoding="utf-8", errors="replace") as file:
-            return file.read().rpartition(")")[2].split()
+            return file.read()
     except OSError:
-        return []
+        return ""

@@ -90,10 +90,10 @@ def outside() -> str:
     return os.readlink(os.path.join(os.environ[VARIABLE], _OUTSIDE))
 
 
-def identity(fd: int) -> str:
-    """Return what tells the file of a descriptor from all others; '' if it is none."""
+def identity(file: int | str) -> str:
+    """Return what tells the file of a descriptor or path from all others; '' if it is none."""
     try:
-        found = os.fstat(fd)
+        found = os.stat(file)
     except OSError:
         return ""
     return f"{found.st_dev}:{found.st_ino}"

@@ -15,14 +15,14 @@ _TEXTS = {
         "busy": "time stands still: {what} has been busy for 2 s without waiting",
         "real": "time stands still: {what} waits for something real",
         "foreign": "time stands still while {what} runs, which isn't a Python program",
-        "no_world": "there is no virtual time here, or no more: {what}",
+        "no_world": "the world of virtual time can't be made or entered: {what}",
         "nothing": "nothing is left to happen: everybody waits for somebody else ({what})",
     },
     "zh": {
         "busy": "时间停住了：{what} 已经忙了 2 秒没有等待",
         "real": "时间停住了：{what} 在等真实世界里的东西",
         "foreign": "{what} 不是 Python 程序，它运行时时间停住",
-        "no_world": "这里没有虚拟时间，或者已经结束：{what}",
+        "no_world": "虚拟时间的世界建不起来，或者进不去：{what}",
         "nothing": "再也不会有事发生：大家都在等别人（{what}）",
     },
 }

@@ -12,7 +12,7 @@ from types import FrameType
 from day6_core.virtual.kernel import Kernel
 from day6_core.virtual.told import TOLD_AFTER
 
-_start_new_thread, _sleep = _thread.start_new_thread, time.sleep
+_start_new_thread, _sleep, _cpu_time = _thread.start_new_thread, time.sleep, time.process_time
 _FOLDER = os.path.dirname(__file__)
 
 
@@ -24,7 +24,7 @@ def watch(kernel: Kernel, tell: Callable[[str, str], None]) -> None:
 def _watch(kernel: Kernel, tell: Callable[[str, str], None]) -> None:
     told = -1
     while True:
-        turn, cpu = kernel.turns, time.process_time()
+        turn, cpu = kernel.turns, _cpu_time()
         _sleep(TOLD_AFTER)
         if kernel.turns != turn or kernel.idling or turn == told:
             continue
@@ -33,7 +33,7 @@ def _watch(kernel: Kernel, tell: Callable[[str, str], None]) -> None:
             frame = frame.f_back
         if frame is not None:
             told = turn
-            tell("busy" if time.process_time() - cpu > TOLD_AFTER / 10 else "real", _place(frame))
+            tell("busy" if _cpu_time() - cpu > TOLD_AFTER / 10 else "real", _place(frame))
 
 
 def _place(frame: FrameType) -> str:

@@ -14,7 +14,7 @@ from day6_core.virtual.coordinator import Coordinator
 from day6_core.virtual.follow import chance, children, clocks, descriptors, locks, signals, threads, tracebacks
 from day6_core.virtual.kernel import Kernel
 from day6_core.virtual.member import Member
-from day6_core.virtual.surroundings import is_first, own_world, remove, socket_of
+from day6_core.virtual.surroundings import VARIABLE, is_first, own_world, remove, socket_of
 from day6_core.virtual.told import tell
 from day6_core.virtual.watchdog import watch
 
@@ -26,8 +26,8 @@ def begin() -> None:
         folder = own_world()
         path = socket_of(folder)
         world = Coordinator(path, tell) if is_first(folder) else Member(path)
-    except OSError as error:
-        tell("no_world", str(error))
+    except OSError:
+        tell("no_world", os.environ[VARIABLE])
         os._exit(1)
     if isinstance(world, Coordinator):
         atexit.register(_remove, folder)

@@ -46,8 +46,8 @@ def install(kernel: Kernel) -> None:
         (sleep, ("sleep",)),
         (time_ns, ("time_ns",)),
         (seconds_since_1970, ("time",)),
-        (monotonic, ("monotonic", "perf_counter")),
-        (monotonic_ns, ("monotonic_ns", "perf_counter_ns")),
+        (monotonic, ("monotonic", "perf_counter", "process_time", "thread_time")),
+        (monotonic_ns, ("monotonic_ns", "perf_counter_ns", "process_time_ns", "thread_time_ns")),
     ):
         for name in names:
             setattr(module, name, function)
