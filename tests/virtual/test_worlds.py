@@ -230,6 +230,16 @@ def test_a_world_and_the_real_one_never_meet(world: World) -> None:
     communicate(real)
 
 
+def test_clearing_up_follows_no_link(world: World) -> None:
+    kept = world.file("kept.txt", "mine")
+    planted = world.runtime / "day6-time-999999999-0"
+    planted.symlink_to(world.work)
+    assert world.fast("true").returncode == 0
+    assert kept.read_text(encoding="utf-8") == "mine"
+    assert planted.is_symlink()
+    planted.unlink()
+
+
 def test_a_killed_world_takes_its_processes_with_it(world: World) -> None:
     files(world)
     running = world.begin("python3 talker.py")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import stat
 import sys
 from collections.abc import Mapping
 from contextlib import suppress
@@ -115,10 +116,9 @@ def _make_folder() -> str:
     if len(os.fsencode(place)) > _LONGEST_PLACE:
         place = "/tmp"
     for name in os.listdir(place):
-        first = _first_of(name)
-        if name.startswith(_PREFIX) and first.isdecimal() and not os.path.exists(f"/proc/{first}"):
-            with suppress(OSError):  # another user's
-                remove(os.path.join(place, name))
+        if name.startswith(_PREFIX) and not os.path.exists(f"/proc/{_first_of(name)}"):
+            with suppress(OSError):
+                _remove_own(os.path.join(place, name))
     for number in count():
         world = os.path.join(place, f"{_PREFIX}{os.getpid()}-{number}")
         with suppress(FileExistsError):
@@ -126,6 +126,13 @@ def _make_folder() -> str:
             break
     os.symlink(identity(0) or "nothing", os.path.join(world, _OUTSIDE))
     return world
+
+
+def _remove_own(world: str) -> None:
+    """Remove a folder that nobody else can have put there: one of this user's, and no link."""
+    status = os.lstat(world)
+    if stat.S_ISDIR(status.st_mode) and sys.platform != "win32" and status.st_uid == os.getuid():
+        remove(world)
 
 
 def _first_of(world: str) -> str:
