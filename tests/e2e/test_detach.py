@@ -105,7 +105,7 @@ def test_what_is_left_by_the_palette_comes_back_in_another_size(place: Place) ->
         assert f"[detached: day6-tui attach --home {place.home} comes back]"[:60] in screen.look()
         expect_given_back(screen, before)
     with attach(place, 120, 40) as screen:
-        screen.wait("one 2 three", PROMPT)
+        screen.wait("one 2 three", PROMPT, "┓╭")  # side by side, as at this size: the terminal has its new one
         screen.line("python3 -c 'import os; print(*os.get_terminal_size())'")
         screen.wait_lines("58 36")
         screen.resize(100, 30)

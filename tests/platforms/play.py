@@ -136,7 +136,7 @@ class _Player:
 
     def _run(self, where: str, typed: str, seen: list[str]) -> None:
         place, words, env = self._words(where, typed.removeprefix("! "))
-        done = run([*DAY6, *words], "", LIMIT, cwd=place.work, env=place._variables(**env))
+        done = run([*DAY6, *words], "", LIMIT, cwd=place.work, env=place.variables(**env))
         printed = done.stdout + done.stderr
         missing = [text for text in seen if text not in printed]
         assert bool(done.returncode) == typed.startswith("! ") and not missing, (
@@ -152,7 +152,7 @@ class _Player:
                 stdout=printed,
                 stderr=subprocess.STDOUT,
                 cwd=place.work,
-                env=place._variables(**env),
+                env=place.variables(**env),
             )
         self._stack.callback(_end, process)
         return process
@@ -177,7 +177,7 @@ class _Player:
         else:
             from tests.windows.console import Console
 
-            screen = Console([sys.executable, "-m", "day6_tui.main", *words], place.work, place._variables(**env))
+            screen = Console([sys.executable, "-m", "day6_tui.main", *words], place.work, place.variables(**env))
         self._stack.enter_context(screen)
         if where == "pixels":
             from tests.platforms.screens import Pixels

@@ -45,7 +45,8 @@ class Mesh:
         self._loop = loop
         self._party = party
         self._password = config.password
-        self.connections: set[Connection] = set()
+        self.connections: dict[Connection, None] = {}
+        """In the order in which they came: what is told to all goes out in the same order each time."""
         self._called: set[str] = set()
         """The sessions that this one has connected to."""
         self._listener = listen(config)
@@ -124,7 +125,7 @@ class Mesh:
             self._config.zid, calling=calling, password=self._password, port=port, is_welcome=self._is_welcome
         )
         connection = Connection(connected, handshake, self._on_backlog)
-        self.connections.add(connection)
+        self.connections[connection] = None
         self._loop.watch(connected, partial(self._read, connection))
         if calling:
             connection.send(handshake.begin())
@@ -171,7 +172,7 @@ class Mesh:
     def _drop(self, connection: Connection) -> None:
         if connection not in self.connections:
             return
-        self.connections.remove(connection)
+        del self.connections[connection]
         self._loop.forget(connection.socket)
         connection.close()
         self._party.miss(connection)

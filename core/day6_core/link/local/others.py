@@ -28,9 +28,10 @@ class Others:
         """Return the connections to those who have subscribed to a key, or answer for it."""
         return self._ways[kind].get(key, ())
 
-    def to_all(self, kind: Kind, pattern: str) -> set[Connection]:
-        """Return the connections to those who have declared a key that matches."""
-        return {each for key, way in list(self._ways[kind].items()) if matches(pattern, key) for each in way}
+    def to_all(self, kind: Kind, pattern: str) -> dict[Connection, None]:
+        """Return the connections to those who have declared a key that matches, in the order of their declarations."""
+        ways = [way for key, way in list(self._ways[kind].items()) if matches(pattern, key)]
+        return dict.fromkeys(each for way in ways for each in way)
 
     def tokens(self) -> list[str]:
         """Return all tokens; any thread may, of what changes meanwhile it gets the old or the new."""
