@@ -137,6 +137,22 @@ with open(big, "rb") as file: print(len(file.read()))
 """,
         "0 1.0\n1 2.0\n2 3.0\n300000\n300000\n",
     ),
+    "a socket in the place of a pipe": (
+        """
+import os, select, socket, subprocess, sys, time
+listening = socket.socket(socket.AF_UNIX); listening.bind("s"); listening.listen()
+code = "import socket, time; s = socket.socket(socket.AF_UNIX); s.connect('s'); print(s.recv(9), round(time.monotonic(), 1))"
+child = subprocess.Popen([sys.executable, "-c", code])
+time.sleep(1)
+reading, writing = os.pipe()
+poll = select.poll(); poll.register(reading, select.POLLIN); poll.poll(1000)
+os.fdopen(reading).close()
+connected, _ = listening.accept()
+print(connected.fileno() == reading)
+connected.send(b"hello"); time.sleep(5); print(child.wait())
+""",
+        "True\nb'hello' 2.0\n0\n",
+    ),
     "multiprocessing": (
         """
 import multiprocessing, time

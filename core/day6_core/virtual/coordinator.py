@@ -35,7 +35,7 @@ from day6_core.virtual.wire import NEVER, SIZE, Flag, Kind, packed, unpacked
 
 _poll = select.poll
 _recv, _send, _accept = socket.socket.recv, socket.socket.sendall, socket.socket.accept
-_kill, _killpg, _read, _write = os.kill, os.killpg, os.read, os.write
+_kill, _read, _write = os.kill, os.read, os.write
 
 PATIENCE = 0.005
 """Real seconds after which a process that is to run is asked whether it waits for something real."""

@@ -14,7 +14,9 @@ from collections import deque
 from collections.abc import Callable, Sequence
 from itertools import count
 from types import FrameType
-from typing import Protocol
+from typing import Protocol, TypeVar
+
+T = TypeVar("T")
 
 _allocate_lock = _thread.allocate_lock
 _get_ident = _thread.get_ident
@@ -209,6 +211,28 @@ class Kernel:
             if is_main:
                 self._in_kernel = mine.signalled = False
                 self._handle()
+
+    def look_until(
+        self,
+        look: Callable[[], T],
+        ns: int | None = None,
+        fds: Sequence[tuple[int, int]] = (),
+        *,
+        told: bool = False,
+        holds: bool = False,
+    ) -> T:
+        """Return what is found by looking, once it is something or after `ns` nanoseconds; the rest as in `Watch`."""
+        found = look()
+        if found or ns == 0:
+            return found
+
+        def is_there() -> T:
+            nonlocal found
+            found = look()
+            return found
+
+        self.wait(ns, Watch(is_there, fds, told=told, holds=holds))
+        return found
 
     def wake(self, wait: Wait) -> None:
         """Let a thread go on that waits."""

@@ -10,11 +10,11 @@ if sys.platform != "linux":
 import _posixsubprocess
 import os
 from collections.abc import Callable
-from typing import Any, Protocol
+from typing import Any, Protocol, TypeVar
 
 from day6_core.virtual.follow.descriptors import descriptors_were_shared
 from day6_core.virtual.follow.imports import when_imported
-from day6_core.virtual.kernel import Kernel, Watch
+from day6_core.virtual.kernel import Kernel
 from day6_core.virtual.surroundings import VARIABLE
 
 
@@ -30,6 +30,9 @@ class World(Protocol):
 
 _real_waitpid, _real_waitid, _real_kill, _real_killpg = os.waitpid, os.waitid, os.kill, os.killpg
 _kernel: Kernel
+_NOBODY = (0, 0)
+"""What waitpid says where nobody has ended."""
+T = TypeVar("T")
 
 
 def install(kernel: Kernel, world: Callable[[], World], enter_child: Callable[[], None]) -> None:
@@ -44,7 +47,7 @@ def install(kernel: Kernel, world: Callable[[], World], enter_child: Callable[[]
         pid: int = fork_exec(*args)
         if pid and not _is_apart(args[5]):
             world().spawned(pid)
-        if args[3]:
+        if len(args[3]) > 1:  # more than the pipe for errors of its start
             descriptors_were_shared()
         return pid
 
@@ -99,37 +102,22 @@ def _is_apart(environment: Any) -> bool:
 
 def waitpid(pid: int, options: int, /) -> tuple[int, int]:
     """As `os.waitpid`."""
-    found = _real_waitpid(pid, options | os.WNOHANG)
-    if found != (0, 0) or options & os.WNOHANG:
-        return found
-    got = [found]
 
-    def is_there() -> bool:
-        got[0] = _real_waitpid(pid, options | os.WNOHANG)
-        return got[0] != (0, 0)
+    def look() -> tuple[int, int] | None:
+        found = _real_waitpid(pid, options | os.WNOHANG)
+        return found if found != _NOBODY else None
 
-    _wait_for_process(is_there)
-    return got[0]
+    return _wait_for_process(look, options) or _NOBODY
 
 
 def _waitid(idtype: int, number: int, options: int, /) -> Any:
     real: Any = _real_waitid
-    found = real(idtype, number, options | os.WNOHANG)
-    if found is not None or options & os.WNOHANG:
-        return found
-    got = [found]
-
-    def is_there() -> bool:
-        got[0] = real(idtype, number, options | os.WNOHANG)
-        return got[0] is not None
-
-    _wait_for_process(is_there)
-    return got[0]
+    return _wait_for_process(lambda: real(idtype, number, options | os.WNOHANG), options)
 
 
-def _wait_for_process(is_there: Callable[[], object]) -> None:
+def _wait_for_process(look: Callable[[], T], options: int) -> T:
     """The coordinator lets everybody look when one has ended."""
-    _kernel.wait(None, Watch(is_there, (), told=True))
+    return _kernel.look_until(look, 0 if options & os.WNOHANG else None, told=True)
 
 
 def _follow_semaphores(module: Any) -> None:
@@ -140,10 +128,8 @@ def _follow_semaphores(module: Any) -> None:
         taken = self._semlock.acquire
 
         def acquire(block: bool = True, timeout: float | None = None) -> bool:
-            if taken(False):
-                return True
             ns = None if timeout is None else int(max(timeout, 0) * 1e9)
-            return block and _kernel.wait(ns, Watch(lambda: taken(False), ()))
+            return _kernel.look_until(lambda: bool(taken(False)), ns if block else 0)
 
         self.acquire = acquire
 

@@ -13,19 +13,21 @@ import os
 import select
 import stat
 from collections.abc import Callable, Iterable
-from typing import Any
+from typing import Any, TypeVar
 
 from day6_core.virtual.follow.imports import when_imported
-from day6_core.virtual.kernel import Kernel, Watch
+from day6_core.virtual.kernel import Kernel
 from day6_core.virtual.processes import is_ready
 from day6_core.virtual.surroundings import identity, outside
 
+T = TypeVar("T")
+
 _real_epoll, _real_poll, _real_select = select.epoll, select.poll, select.select
-_real_read, _real_close = os.read, os.close
+_real_read = os.read
 _kernel: Kernel
 _told: Callable[[int], object]
 _peers: dict[int, int] = {}
-"""By the number of a Unix socket: the process at its other end."""
+"""By `_socket_number`: the process at the other end of a socket, 0 if it is no Unix socket."""
 _tells = True
 """Whether every process tells what it sends through Unix sockets; not after descriptors were handed on to others."""
 
@@ -37,7 +39,7 @@ def install(kernel: Kernel, touched: Callable[[int], object]) -> None:
     module: Any = select
     module.epoll, module.poll, module.select = Epoll, Poll, select_
     system: Any = os
-    system.read, system.close = read, close
+    system.read = read
     when_imported("selectors", _follow_selectors)
     when_imported("socket", _follow_sockets)
     files: Any = io
@@ -51,21 +53,23 @@ def descriptors_were_shared() -> None:
     _tells = False
 
 
-def watch(is_there: Callable[[], object], fds: Iterable[tuple[int, int]]) -> Watch:
-    """Return what a thread watches that waits for these descriptors and events."""
+def wait_until_ready(fd: int, events: int, seconds: float | None) -> bool:
+    """Wait until a descriptor is ready; False if that isn't so in time."""
+    return bool(_look_until(lambda: is_ready(fd, events), seconds, [(fd, events)]))
+
+
+def _look_until(look: Callable[[], T], seconds: float | None, fds: Iterable[tuple[int, int]]) -> T:
+    """Return what is found by looking, once it is something or after these seconds; `fds` are with the events of poll()."""
     listed = list(fds)
-    told = _tells and all(events & ~(select.POLLIN | select.POLLPRI) == 0 and _peer_of(fd) for fd, events in listed)
-    return Watch(is_there, listed, told=told, holds=not told and any(_is_outside(fd) for fd, _ in listed))
+    told = _tells and all(not events & ~(select.POLLIN | select.POLLPRI) and _peer_of(fd) for fd, events in listed)
+    holds = not told and any(_is_outside(fd) for fd, _ in listed)
+    return _kernel.look_until(look, None if seconds is None else int(seconds * 1e9), listed, told=told, holds=holds)
 
 
 def _is_outside(fd: int) -> bool:
     if identity(fd) == outside():
         return True
-    try:
-        is_socket = stat.S_ISSOCK(os.fstat(fd).st_mode)
-    except OSError:
-        return False
-    if not is_socket:
+    if not _socket_number(fd):
         return False
     import socket
 
@@ -79,15 +83,9 @@ def _is_outside(fd: int) -> bool:
     return not (address.startswith("127.") or address in ("::1", "0.0.0.0"))
 
 
-def _wait(ns: int | None, is_there: Callable[[], object], fds: Iterable[tuple[int, int]]) -> bool:
-    return _kernel.wait(ns, watch(is_there, fds))
-
-
-def wait_until_ready(fd: int, events: int, seconds: float | None) -> bool:
-    """Wait until a descriptor is ready; False if that isn't so in time."""
-    if is_ready(fd, events):
-        return True
-    return _wait(None if seconds is None else int(seconds * 1e9), lambda: is_ready(fd, events), [(fd, events)])
+def _number(file: Any) -> int:
+    """The descriptor of what may be one or have one."""
+    return file if isinstance(file, int) else int(file.fileno())
 
 
 # -- select ------------------------------------------------------------------------------------------------------------
@@ -98,7 +96,7 @@ class Epoll:
 
     def __init__(self, *args: Any) -> None:
         self._real = _real_epoll(*args)
-        self._told: dict[int, bool] = {}
+        self._fds: dict[int, int] = {}
         self.close, self.fileno = self._real.close, self._real.fileno
 
     @classmethod
@@ -109,37 +107,21 @@ class Epoll:
     def register(self, fd: Any, eventmask: int = select.EPOLLIN | select.EPOLLPRI | select.EPOLLOUT) -> None:
         """As there."""
         self._real.register(fd, eventmask)
-        number = fd if isinstance(fd, int) else fd.fileno()
-        self._told[number] = not eventmask & select.EPOLLOUT and bool(_peer_of(number))
+        self._fds[_number(fd)] = eventmask
 
     def modify(self, fd: Any, eventmask: int) -> None:
         """As there."""
         self._real.modify(fd, eventmask)
-        number = fd if isinstance(fd, int) else fd.fileno()
-        self._told[number] = not eventmask & select.EPOLLOUT and bool(_peer_of(number))
+        self._fds[_number(fd)] = eventmask
 
     def unregister(self, fd: Any) -> None:
         """As there."""
-        self._told.pop(fd if isinstance(fd, int) else fd.fileno(), None)
+        self._fds.pop(_number(fd), None)
         self._real.unregister(fd)
 
     def poll(self, timeout: float | None = None, maxevents: int = -1) -> list[tuple[int, int]]:
         """As there."""
-        found = self._real.poll(0, maxevents)
-        if found or timeout == 0:
-            return found
-
-        def is_there() -> bool:
-            found[:] = self._real.poll(0, maxevents)
-            return bool(found)
-
-        told = _tells and all(self._told.values())
-        holds = not told and any(_is_outside(fd) for fd, is_told in self._told.items() if not is_told)
-        _kernel.wait(
-            None if timeout is None or timeout < 0 else int(timeout * 1e9),
-            Watch(is_there, [(self.fileno(), select.POLLIN)], told=told, holds=holds),
-        )
-        return found
+        return _look_until(lambda: self._real.poll(0, maxevents), _limit(timeout), self._fds.items())
 
     @property
     def closed(self) -> bool:
@@ -163,30 +145,27 @@ class Poll:
     def register(self, fd: Any, eventmask: int = select.POLLIN | select.POLLPRI | select.POLLOUT) -> None:
         """As there."""
         self._real.register(fd, eventmask)
-        self._fds[fd if isinstance(fd, int) else fd.fileno()] = eventmask
+        self._fds[_number(fd)] = eventmask
 
     def modify(self, fd: Any, eventmask: int) -> None:
         """As there."""
         self._real.modify(fd, eventmask)
-        self._fds[fd if isinstance(fd, int) else fd.fileno()] = eventmask
+        self._fds[_number(fd)] = eventmask
 
     def unregister(self, fd: Any) -> None:
         """As there."""
         self._real.unregister(fd)
-        self._fds.pop(fd if isinstance(fd, int) else fd.fileno(), None)
+        self._fds.pop(_number(fd), None)
 
     def poll(self, timeout: float | None = None) -> list[tuple[int, int]]:
         """As there; the time limit is in milliseconds."""
-        found = self._real.poll(0)
-        if found or timeout == 0:
-            return found
+        seconds = _limit(timeout)
+        return _look_until(lambda: self._real.poll(0), seconds and seconds / 1000, self._fds.items())
 
-        def is_there() -> bool:
-            found[:] = self._real.poll(0)
-            return bool(found)
 
-        _wait(None if timeout is None or timeout < 0 else int(timeout * 1e6), is_there, self._fds.items())
-        return found
+def _limit(timeout: float | None) -> float | None:
+    """None for a negative one, too: as long as it takes."""
+    return None if timeout is None or timeout < 0 else timeout
 
 
 def select_(rlist: Any, wlist: Any, xlist: Any, timeout: float | None = None, /) -> Any:
@@ -194,23 +173,17 @@ def select_(rlist: Any, wlist: Any, xlist: Any, timeout: float | None = None, /)
     if timeout is not None and timeout < 0:
         raise ValueError("timeout must be non-negative")
     lists = list(rlist), list(wlist), list(xlist)
-    found = _real_select(*lists, 0)
-    if any(found) or timeout == 0:
-        return found
-    got = [found]
-
-    def is_there() -> bool:
-        got[0] = _real_select(*lists, 0)
-        return any(got[0])
-
     events = select.POLLIN, select.POLLOUT, select.POLLPRI
     fds: dict[int, int] = {}
     for each, event in zip(lists, events, strict=True):
         for fd in each:
-            number = fd if isinstance(fd, int) else fd.fileno()
-            fds[number] = fds.get(number, 0) | event
-    _wait(None if timeout is None else int(timeout * 1e9), is_there, fds.items())
-    return got[0]
+            fds[_number(fd)] = fds.get(_number(fd), 0) | event
+
+    def look() -> Any:
+        found = _real_select(*lists, 0)
+        return found if any(found) else None
+
+    return _look_until(look, timeout, fds.items()) or ([], [], [])
 
 
 def _follow_selectors(module: Any) -> None:
@@ -226,12 +199,6 @@ def read(fd: int, length: int, /) -> bytes:
     if os.get_blocking(fd) and not stat.S_ISREG(os.fstat(fd).st_mode):
         wait_until_ready(fd, select.POLLIN, None)
     return _real_read(fd, length)
-
-
-def close(fd: int, /) -> None:
-    """As `os.close`."""
-    _peers.pop(fd, None)
-    _real_close(fd)
 
 
 class Pipe(io.FileIO):
@@ -335,18 +302,24 @@ def _follow_input() -> None:
 
 def _peer_of(fd: int) -> int:
     """The process at the other end of a Unix socket (our own at the end of one that listens), 0 for anything else."""
-    pid = _peers.get(fd)
-    if pid is None:
-        pid = _peers[fd] = _ask_for_peer(fd)
-    return pid
+    number = _socket_number(fd)
+    if not number:
+        return 0
+    if number not in _peers:
+        _peers[number] = _ask_for_peer(fd)
+    return _peers[number]
+
+
+def _socket_number(fd: int) -> int:
+    """What tells a socket from all others, as a descriptor may be another file's a moment later; 0 if it is none."""
+    try:
+        found = os.fstat(fd)
+    except OSError:
+        return 0
+    return found.st_ino if stat.S_ISSOCK(found.st_mode) else 0
 
 
 def _ask_for_peer(fd: int) -> int:
-    try:
-        if not stat.S_ISSOCK(os.fstat(fd).st_mode):
-            return 0
-    except OSError:
-        return 0
     import socket
     import struct
 
@@ -393,17 +366,13 @@ def _follow_sockets(module: Any) -> None:
     cls._accept = accept
     for name in ("send", "sendall", "sendmsg", "connect", "connect_ex", "shutdown"):
         sends(name)
-    close, detach = cls._real_close, cls.detach
+    close = cls._real_close
 
     def real_close(self: Any, *args: Any) -> None:
         _forget(self)
         close(self, *args)
 
-    def detached(self: Any) -> int:
-        _peers.pop(self.fileno(), None)
-        return int(detach(self))
-
-    cls._real_close, cls.detach = real_close, detached
+    cls._real_close = real_close
 
 
 def _wait_for_socket(sock: Any) -> None:
@@ -420,8 +389,5 @@ def _tell(fd: int) -> None:
 
 def _forget(sock: Any) -> None:
     """A socket is about to be closed, which its other end sees."""
-    fd = sock.fileno()
-    if fd >= 0:
-        pid = _peers.pop(fd, None)
-        if pid:
-            _told(pid)
+    if pid := _peers.pop(_socket_number(sock.fileno()), 0):
+        _told(pid)

@@ -50,17 +50,6 @@ class Lock:
         self._locked = False
         self._waiting: deque[Wait] | None = None
 
-    def __enter__(self) -> bool:
-        if self._locked:
-            return self.acquire()
-        self._locked = True
-        return True
-
-    def __exit__(self, *_: object) -> None:
-        self._locked = False
-        if self._waiting:
-            _kernel.wake(self._waiting.popleft())
-
     def acquire(self, blocking: bool = True, timeout: float = -1) -> bool:
         """Take it; False if that isn't possible in time."""
         if timeout != -1 and (not blocking or not 0 <= timeout <= TIMEOUT_MAX):
@@ -83,6 +72,10 @@ class Lock:
         return self._locked
 
     acquire_lock, release_lock, locked_lock = acquire, release, locked
+    __enter__ = acquire
+
+    def __exit__(self, *_: object) -> None:
+        self.release()
 
     def _wait(self, ns: int | None) -> bool:
         kernel = _kernel
@@ -127,27 +120,6 @@ class RLock:
         self._owner: int | None = None
         self._count = 0
 
-    def __enter__(self) -> bool:
-        me = _get_ident()
-        if self._owner == me:
-            self._count += 1
-            return True
-        lock = self._lock
-        if lock._locked:
-            lock.acquire()
-        else:
-            lock._locked = True
-        self._owner, self._count = me, 1
-        return True
-
-    def __exit__(self, *_: object) -> None:
-        if self._owner != _get_ident():
-            raise RuntimeError("cannot release un-acquired lock")
-        self._count -= 1
-        if not self._count:
-            self._owner = None
-            self._lock.__exit__()
-
     def acquire(self, blocking: bool = True, timeout: float = -1) -> bool:
         """Take it, once more if the calling thread has it; False if that isn't possible in time."""
         me = _get_ident()
@@ -167,6 +139,11 @@ class RLock:
         if not self._count:
             self._owner = None
             self._lock.release()
+
+    __enter__ = acquire
+
+    def __exit__(self, *_: object) -> None:
+        self.release()
 
     def locked(self) -> bool:
         """Whether a thread has it."""

@@ -14,11 +14,12 @@ def _begin() -> None:
 def _run_the_one_behind() -> None:
     """This module hides another one of its name."""
     from importlib.machinery import PathFinder
-    from importlib.util import module_from_spec
 
     here = os.path.dirname(__file__)
     spec = PathFinder.find_spec(__name__, [folder for folder in sys.path if folder != here])
     if spec is not None and spec.loader is not None:
+        from importlib.util import module_from_spec
+
         module = module_from_spec(spec)
         sys.modules[__name__] = module
         spec.loader.exec_module(module)
