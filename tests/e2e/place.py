@@ -8,6 +8,7 @@ import shutil
 import signal
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -118,10 +119,15 @@ class Place:
     def processes(self) -> dict[int, str]:
         """Every process that was started here and runs, with its command line; {} where the system does not tell."""
         mark = f"DAY6_RUNTIME_DIR={self.runtime}".encode()
+        return self.started(lambda environment: mark in environment.split(b"\0"))
+
+    @staticmethod
+    def started(with_: Callable[[bytes], bool]) -> dict[int, str]:
+        """Every process that runs and was started with such an environment, with its command line; as above."""
         found = {}
         for entry in Path("/proc").glob("[0-9]*") if sys.platform == "linux" else ():
             with contextlib.suppress(OSError):
-                if mark in (entry / "environ").read_bytes().split(b"\0"):
+                if with_((entry / "environ").read_bytes()):
                     found[int(entry.name)] = (entry / "cmdline").read_bytes().replace(b"\0", b" ").decode().strip()
         return found
 

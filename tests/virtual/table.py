@@ -16,8 +16,8 @@ import time
 from collections import Counter
 from pathlib import Path
 
-from tests.virtual.conftest import World
 from tests.virtual.test_worlds import SIX, files
+from tests.virtual.world import World
 
 TEN_MINUTES = (
     "python3 listener.py & python3 talker.py & ros2 run turtlesim turtlesim_node & python3 broadcaster.py & "

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.virtual.conftest import World
+from tests.virtual.world import World
 
 pytestmark = pytest.mark.process
 

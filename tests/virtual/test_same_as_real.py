@@ -6,8 +6,8 @@ import re
 
 import pytest
 
-from tests.virtual.conftest import World
 from tests.virtual.test_worlds import files
+from tests.virtual.world import World
 
 pytestmark = pytest.mark.process
 

@@ -9,7 +9,7 @@ import subprocess
 import pytest
 
 from tests.support.waiting import communicate, until
-from tests.virtual.conftest import World
+from tests.virtual.world import World
 
 pytestmark = pytest.mark.process
 
@@ -164,6 +164,11 @@ def test_pipes_and_standard_input_go_on_with_the_time(world: World) -> None:
         "python3 -c 'for n in range(100000): print(n)' | tail -1; echo $SECONDS"
     )
     assert (done.stdout, done.stderr) == ("late 2.0\nab\n99999\n2\n", "")
+
+
+def test_a_flood_waits_for_whoever_reads_it(world: World) -> None:
+    done = world.fast("python3 -c 'for n in range(300000): print(n)' | (sleep 3; tail -1); echo $SECONDS")
+    assert (done.stdout, done.stderr) == ("299999\n3\n", "")
 
 
 def test_what_comes_from_outside_holds_time_still(world: World) -> None:

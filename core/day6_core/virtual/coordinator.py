@@ -357,7 +357,7 @@ class Coordinator:
 
     def _holds(self, member: _Process) -> bool:
         """Whether something real that a process waits for holds time still: not what others in this world give it."""
-        return member.stirred < 0 or not processes.tree_waits_for_input(member.pid, self._members, outside())
+        return member.stirred < 0 or not processes.tree_waits_for_others(member.pid, self._members, outside())
 
     def _hear(self, members: Iterable[_Process]) -> None:
         """Take what processes have said unasked."""

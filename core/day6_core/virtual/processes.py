@@ -19,10 +19,17 @@ _poll = select.poll
 _restless = count(-2, -1)
 _WAITING_FOR_INPUT = (
     *("pipe_read", "anon_pipe_read", "pipe_wait", "pipe_wait_readable"),
-    *("n_tty_read", "wait_woken", "unix_stream_data_wait", "unix_stream_read_generic"),
+    *("n_tty_read", "unix_stream_data_wait", "unix_stream_read_generic"),
 )
-"""Where Linux says that a thread waits which reads from a pipe, a terminal or a Unix socket."""
+"""Where Linux says that a thread waits which reads from a pipe, a terminal or a Unix socket. Not wait_woken: TCP waits there."""
+_WAITING_FOR_ROOM = (
+    *("pipe_write", "anon_pipe_write", "pipe_wait_writable"),
+    *("n_tty_write", "unix_stream_sendmsg", "sock_alloc_send_pskb", "sock_wait_for_wmem"),
+)
+"""The same for one that writes, and nobody has read what it has written."""
 _WAITING_FOR_A_CHILD = "do_wait"
+_WAITING_FOR_A_THREAD = ("futex_do_wait", "futex_wait_queue", "futex_wait_queue_me")
+"""Where the threads of a program of Python wait that haven't got their turn."""
 
 
 def stirred(pid: int) -> int:
@@ -50,18 +57,18 @@ def tree_stirred(pid: int, known: Container[int]) -> int:
     return times
 
 
-def tree_waits_for_input(pid: int, known: Container[int], outside: str) -> bool:
-    """Return whether a process, and those that it has started, wait for what others write or for each other's end.
+def tree_waits_for_others(pid: int, known: Container[int], outside: str) -> bool:
+    """Return whether a process, and those that it has started, wait for what others write or read, or for each other's end.
 
     Those that are known are left out. What is read from `outside` (an identity) doesn't count, nor does a terminal or pipe where
     the system doesn't say for what a process waits.
     """
-    places = {_read(f"{thread}/wchan").strip("\0") for thread in _threads(pid)}
-    if not places.issubset((_WAITING_FOR_A_CHILD, *_WAITING_FOR_INPUT)):
+    places = {_read(f"{thread}/wchan").strip("\0") for thread in _threads(pid)}.difference(_WAITING_FOR_A_THREAD)
+    if not places or not places.issubset((_WAITING_FOR_A_CHILD, *_WAITING_FOR_INPUT, *_WAITING_FOR_ROOM)):
         return False
     if places.intersection(_WAITING_FOR_INPUT) and identity(f"/proc/{pid}/fd/0") == outside:
         return False
-    return all(child in known or tree_waits_for_input(child, known, outside) for child in _children(pid))
+    return all(child in known or tree_waits_for_others(child, known, outside) for child in _children(pid))
 
 
 def command_of(pid: int) -> str:

@@ -12,7 +12,7 @@ from types import FrameType
 from day6_core.virtual.kernel import Kernel
 from day6_core.virtual.told import TOLD_AFTER
 
-_start_new_thread, _sleep, _cpu_time = _thread.start_new_thread, time.sleep, time.process_time
+_start_new_thread, _allocate_lock, _cpu_time = _thread.start_new_thread, _thread.allocate_lock, time.process_time
 _FOLDER = os.path.dirname(__file__)
 
 
@@ -23,9 +23,13 @@ def watch(kernel: Kernel, tell: Callable[[str, str], None]) -> None:
 
 def _watch(kernel: Kernel, tell: Callable[[str, str], None]) -> None:
     told = -1
+    never = _allocate_lock()
+    never.acquire()
     while True:
         turn, cpu = kernel.turns, _cpu_time()
-        _sleep(TOLD_AFTER)
+        never.acquire(
+            timeout=TOLD_AFTER
+        )  # as the other threads wait, and not as a program that sleeps; see `processes`
         if kernel.turns != turn or kernel.idling or turn == told:
             continue
         frame = sys._current_frames().get(kernel.running.ident)
