@@ -33,7 +33,7 @@ from day6_core.virtual.surroundings import outside
 from day6_core.virtual.told import TOLD_AFTER
 from day6_core.virtual.wire import NEVER, SIZE, Flag, Kind, packed, unpacked
 
-_poll = select.poll
+_poll, _epoll = select.poll, select.epoll
 _recv, _send, _accept = socket.socket.recv, socket.socket.sendall, socket.socket.accept
 _kill, _read, _write = os.kill, os.read, os.write
 
@@ -51,6 +51,8 @@ class _Process:
         self.pidfd = -1
         self.socket: socket.socket | None = None
         """None until it takes part; a program that isn't Python never does."""
+        self.said = _poll()
+        """Shows whether it has said something, or the first process is wanted; while it takes part."""
         self.frames = b""
         """Not read yet."""
         self.deadline = NEVER
@@ -91,6 +93,8 @@ class Coordinator:
         self._told: set[int] = set()
         """Which programs have been named; 0 when nothing is left to happen."""
         self._woken, self._waking = os.pipe2(os.O_CLOEXEC | os.O_NONBLOCK)
+        self._speaking = _epoll()
+        """Shows who of those that take part has said something."""
         self._members: dict[int, _Process] = {}
         """All but the first, by their system's number, in their order."""
         self._own = _Process(0, os.getpid())
@@ -137,6 +141,7 @@ class Coordinator:
     def leave(self) -> None:
         """In a forked child: let go of all that is the first process's."""
         self._listener.close()
+        self._speaking.close()
         for member in self._members.values():
             if member.socket is not None:
                 member.socket.close()
@@ -148,6 +153,7 @@ class Coordinator:
         self._advance(time)
         if own.flags & Flag.RAN:
             self._turns += 1
+        own.seen = self._turns
         while not kernel.has_turn and not self._is_own_turn(kernel):
             member = self._running or self._next()
             if member is not None:
@@ -166,6 +172,7 @@ class Coordinator:
         if self._running is not None:
             return False
         if own.touched or own.seen < self._turns:
+            kernel.touched = kernel.touched or own.touched
             own.touched, own.seen = False, self._turns
             if kernel.look():
                 return True
@@ -173,7 +180,8 @@ class Coordinator:
 
     def _next(self) -> _Process | None:
         """Return who goes on, after its GO where it needs one."""
-        self._hear(each for each in self._members.values() if each.is_real)
+        if any(each.is_real for each in self._members.values()):
+            self._hear()
         now, turns = self._now, self._turns
         due: _Process | None = None
         looking: _Process | None = None
@@ -192,7 +200,7 @@ class Coordinator:
         return member
 
     def _go(self, member: _Process) -> None:
-        frames = packed(Kind.GO, 0, self._now, member.number)
+        frames = packed(Kind.GO, Flag.TOUCHED if member.touched else 0, self._now, member.number)
         if member.signals:
             frames = b"".join((*(packed(Kind.SIGNAL, 0, number, 0) for number in member.signals), frames))
             member.signals.clear()
@@ -212,7 +220,7 @@ class Coordinator:
             if member.socket is None:
                 ready = self._poll((self._listener.fileno(), member.pidfd, self._woken), patience)
             else:
-                ready = self._poll((member.socket.fileno(), self._woken), patience)
+                ready = [fd for fd, _ in member.said.poll(1000 * patience)]
             if self._woken in ready:
                 _read(self._woken, 4096)
                 if kernel.has_turn:
@@ -229,11 +237,11 @@ class Coordinator:
                 self._take(member)
         self._running = None
 
-    def _poll(self, fds: Iterable[int], seconds: float | None) -> list[int]:
+    def _poll(self, fds: Iterable[int], seconds: float) -> list[int]:
         poll = _poll()
         for fd in fds:
             poll.register(fd, select.POLLIN)
-        return [fd for fd, _ in poll.poll(None if seconds is None else 1000 * seconds)]
+        return [fd for fd, _ in poll.poll(1000 * seconds)]
 
     # -- who takes part --------------------------------------------------------------------------------------------------
 
@@ -252,7 +260,10 @@ class Coordinator:
             if member is None:
                 connected.close()
                 return
-            member.socket, member.frames = connected, b""
+            member.socket, member.frames, member.said = connected, b"", _poll()
+            for fd in (connected.fileno(), self._woken):
+                member.said.register(fd, select.POLLIN)
+            self._speaking.register(connected.fileno(), select.POLLIN)
             member.runs, member.is_real, member.touched = False, False, True
         elif expected is not None and expected.pidfd in ready:
             self._remove(expected)
@@ -263,10 +274,12 @@ class Coordinator:
         os.close(member.pidfd)
         if member.socket is not None:
             member.socket.close()
+        self._touch_all()  # it may have been at the other end of something
+
+    def _touch_all(self) -> None:
         self._turns += 1
-        for each in self._members.values():
-            each.touched = True  # it may have been at the other end of something
-        self._own.touched = True
+        for each in (self._own, *self._members.values()):
+            each.touched = True
 
     def _take(self, member: _Process) -> None:
         """Take what a process has to say; what comes first, if it is gone, is its end."""
@@ -319,8 +332,10 @@ class Coordinator:
             member.is_stopped = False
         elif number == signal.SIGCONT:
             member.is_stopped = False
+            self._touch_all()
         elif number in _STOPPING:
-            member.is_stopped = True
+            member.is_stopped = processes.is_stopped_soon(pid)
+            self._touch_all()
 
     # -- time --------------------------------------------------------------------------------------------------------------
 
@@ -340,7 +355,7 @@ class Coordinator:
             return False
         self._still_since = -1.0
         self._advance(first)
-        self._hear(each for each in self._members.values() if each.socket is not None)
+        self._hear()
         return True
 
     def _has_stirred(self) -> bool:
@@ -351,21 +366,20 @@ class Coordinator:
                 each.stirred = now
                 found = found or now >= 0
         if found:
-            self._turns += 1
-            self._own.touched = True
+            self._touch_all()
         return found
 
     def _holds(self, member: _Process) -> bool:
         """Whether something real that a process waits for holds time still: not what others in this world give it."""
         return member.stirred < 0 or not processes.tree_waits_for_others(member.pid, self._members, outside())
 
-    def _hear(self, members: Iterable[_Process]) -> None:
+    def _hear(self) -> None:
         """Take what processes have said unasked."""
-        by_fd = {each.socket.fileno(): each for each in members if each.socket is not None}
-        if not by_fd:
-            return
-        for fd in self._poll(by_fd, 0):
-            self._take(by_fd[fd])
+        if ready := self._speaking.poll(0):
+            by_fd = {each.socket.fileno(): each for each in self._members.values() if each.socket is not None}
+            for fd, _ in sorted(ready):
+                if fd in by_fd:
+                    self._take(by_fd[fd])
 
     def _wait(self, kernel: Kernel) -> None:
         """Wait for something real."""

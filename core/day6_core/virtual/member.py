@@ -101,9 +101,10 @@ class Member:
             data = _recv(self._socket, SIZE, socket.MSG_WAITALL)
             if len(data) < SIZE:
                 os._exit(1)  # the world has ended
-            kind, _, first, second = unpacked(data)
+            kind, flags, first, second = unpacked(data)
             if kind == Kind.GO:
                 self.number = self.number or second
+                kernel.touched = kernel.touched or flags != 0
                 return int(first)
             if kind == Kind.SIGNAL:
                 deliver(kernel, first)

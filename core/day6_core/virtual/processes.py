@@ -9,13 +9,15 @@ if sys.platform != "linux":
 
 import os
 import select
+import time
 from collections.abc import Container, Iterator
 from itertools import count
 from pathlib import Path
 
 from day6_core.virtual.surroundings import identity
 
-_poll = select.poll
+_poll, sleep = select.poll, time.sleep
+_LOOKS_FOR_STOPPED = 200
 _restless = count(-2, -1)
 _WAITING_FOR_INPUT = (
     *("pipe_read", "anon_pipe_read", "pipe_wait", "pipe_wait_readable"),
@@ -69,6 +71,16 @@ def tree_waits_for_others(pid: int, known: Container[int], outside: str) -> bool
     if places.intersection(_WAITING_FOR_INPUT) and identity(f"/proc/{pid}/fd/0") == outside:
         return False
     return all(child in known or tree_waits_for_others(child, known, outside) for child in _children(pid))
+
+
+def is_stopped_soon(pid: int) -> bool:
+    """Return whether a process that was sent a signal to stop does so. It takes effect when the process next has a core."""
+    for _ in range(_LOOKS_FOR_STOPPED):
+        fields = _stat(f"/proc/{pid}/stat")
+        if not fields or fields[0] in "TtZX":
+            return bool(fields) and fields[0] in "Tt"
+        sleep(0.001)
+    return False
 
 
 def command_of(pid: int) -> str:

@@ -34,7 +34,7 @@ class Kind:
     WANTS = 6
     """Something has come from outside while it was idle."""
     GO = 7
-    """It may go on: the time, and the process's number in the world."""
+    """It may go on: the time, and the process's number in the world. With flags."""
     SIGNAL = 8
     """Before GO: a signal for it, its number."""
     SLEEP = 9
@@ -42,7 +42,7 @@ class Kind:
 
 
 class Flag:
-    """What a process tells of itself when it is idle."""
+    """What a process tells of itself when it is idle, and is told when it goes on."""
 
     RAN = 1
     """It did something since it was last idle, so others may find something in their descriptors."""
@@ -50,3 +50,5 @@ class Flag:
     """It waits for descriptors of which nobody tells it when something comes."""
     HOLDS = 4
     """It waits for something from outside, as long as it takes: time stands still."""
+    TOUCHED = 8
+    """Something has been sent to it."""

@@ -12,7 +12,7 @@ import io
 import os
 import select
 import stat
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Sequence
 from typing import Any, TypeVar
 
 from day6_core.virtual.follow.imports import when_imported
@@ -51,6 +51,7 @@ def descriptors_were_shared() -> None:
     """From now on, a Unix socket may be written to by a process that doesn't say so."""
     global _tells
     _tells = False
+    _kernel.told_no_more()
 
 
 def wait_until_ready(fd: int, events: int, seconds: float | None) -> bool:
@@ -58,12 +59,19 @@ def wait_until_ready(fd: int, events: int, seconds: float | None) -> bool:
     return bool(_look_until(lambda: is_ready(fd, events), seconds, [(fd, events)]))
 
 
-def _look_until(look: Callable[[], T], seconds: float | None, fds: Iterable[tuple[int, int]]) -> T:
+def _look_until(
+    look: Callable[[], T], seconds: float | None, fds: Sequence[tuple[int, int]], *, told: bool | None = None
+) -> T:
     """Return what is found by looking, once it is something or after these seconds; `fds` are with the events of poll()."""
-    listed = list(fds)
-    told = _tells and all(not events & ~(select.POLLIN | select.POLLPRI) and _peer_of(fd) for fd, events in listed)
-    holds = not told and any(_is_outside(fd) for fd, _ in listed)
-    return _kernel.look_until(look, None if seconds is None else int(seconds * 1e9), listed, told=told, holds=holds)
+    if told is None:
+        told = _are_told(fds)
+    holds = not told and any(_is_outside(fd) for fd, _ in fds)
+    return _kernel.look_until(look, None if seconds is None else int(seconds * 1e9), fds, told=told, holds=holds)
+
+
+def _are_told(fds: Sequence[tuple[int, int]]) -> bool:
+    """Whether all that can come through descriptors is told by who sends it."""
+    return _tells and all(not events & ~(select.POLLIN | select.POLLPRI) and _peer_of(fd) for fd, events in fds)
 
 
 def _is_outside(fd: int) -> bool:
@@ -97,6 +105,9 @@ class Epoll:
     def __init__(self, *args: Any) -> None:
         self._real = _real_epoll(*args)
         self._fds: dict[int, int] = {}
+        self._told = False
+        self._listed: list[tuple[int, int]] | None = None
+        """As `_fds`; None if that has changed since it was looked whether all of it is told of."""
         self.close, self.fileno = self._real.close, self._real.fileno
 
     @classmethod
@@ -108,20 +119,27 @@ class Epoll:
         """As there."""
         self._real.register(fd, eventmask)
         self._fds[_number(fd)] = eventmask
+        self._listed = None
 
     def modify(self, fd: Any, eventmask: int) -> None:
         """As there."""
         self._real.modify(fd, eventmask)
         self._fds[_number(fd)] = eventmask
+        self._listed = None
 
     def unregister(self, fd: Any) -> None:
         """As there."""
         self._fds.pop(_number(fd), None)
+        self._listed = None
         self._real.unregister(fd)
 
     def poll(self, timeout: float | None = None, maxevents: int = -1) -> list[tuple[int, int]]:
         """As there."""
-        return _look_until(lambda: self._real.poll(0, maxevents), _limit(timeout), self._fds.items())
+        fds = self._listed
+        if fds is None:
+            fds = self._listed = list(self._fds.items())
+            self._told = _are_told(fds)
+        return _look_until(lambda: self._real.poll(0, maxevents), _limit(timeout), fds, told=_tells and self._told)
 
     @property
     def closed(self) -> bool:
@@ -160,7 +178,7 @@ class Poll:
     def poll(self, timeout: float | None = None) -> list[tuple[int, int]]:
         """As there; the time limit is in milliseconds."""
         seconds = _limit(timeout)
-        return _look_until(lambda: self._real.poll(0), seconds and seconds / 1000, self._fds.items())
+        return _look_until(lambda: self._real.poll(0), seconds and seconds / 1000, list(self._fds.items()))
 
 
 def _limit(timeout: float | None) -> float | None:
@@ -183,7 +201,7 @@ def select_(rlist: Any, wlist: Any, xlist: Any, timeout: float | None = None, /)
         found = _real_select(*lists, 0)
         return found if any(found) else None
 
-    return _look_until(look, timeout, fds.items()) or ([], [], [])
+    return _look_until(look, timeout, list(fds.items())) or ([], [], [])
 
 
 def _follow_selectors(module: Any) -> None:
@@ -382,12 +400,16 @@ def _wait_for_socket(sock: Any) -> None:
 
 
 def _tell(fd: int) -> None:
-    pid = _peer_of(fd)
-    if pid:
-        _told(pid)
+    _say_touched(_peer_of(fd))
 
 
 def _forget(sock: Any) -> None:
     """A socket is about to be closed, which its other end sees."""
-    if pid := _peers.pop(_socket_number(sock.fileno()), 0):
+    _say_touched(_peers.pop(_socket_number(sock.fileno()), 0))
+
+
+def _say_touched(pid: int) -> None:
+    if pid == os.getpid():
+        _kernel.touched = True
+    elif pid:
         _told(pid)
