@@ -30,7 +30,7 @@ from day6_core.virtual import processes
 from day6_core.virtual.kernel import Kernel
 from day6_core.virtual.member import state_of
 from day6_core.virtual.surroundings import outside
-from day6_core.virtual.told import TOLD_AFTER
+from day6_core.virtual.told import TOLD_AFTER, Used, is_computing, is_waiting
 from day6_core.virtual.wire import NEVER, SIZE, Flag, Kind, packed, unpacked
 
 _poll, _epoll = select.poll, select.epoll
@@ -71,6 +71,8 @@ class _Process:
         self.is_stopped = False
         self.stirred = 0
         """How often it had run when it was last asked for, if it waits for something real."""
+        self.used: Used = (0.0, 0.0)
+        """What it had used of the cores when time came to stand still."""
 
     @property
     def is_idle(self) -> bool:
@@ -403,6 +405,8 @@ class Coordinator:
         ready = [fd for fd, _ in poll.poll(1000 * (PATIENCE if real else TOLD_AFTER))]
         if not ready and self._still_since < 0:
             self._still_since = real_time()
+            for each in self._members.values():
+                each.used = processes.used(each.pid)
         if ready:
             self._still_since = -1.0
         elif not real or real_time() - self._still_since > TOLD_AFTER:
@@ -430,7 +434,9 @@ class Coordinator:
         real = [each for each in everybody if each.is_real]
         for each in real:
             if each.socket is None and self._holds(each):
-                self._say("foreign", each.pid, processes.command_of(each.pid))
+                used = processes.used(each.pid)
+                if is_computing(each.used, used) or is_waiting(each.used, used):  # else it may be Python that starts
+                    self._say("foreign", each.pid, processes.command_of(each.pid))
         if not any(self._holds(each) for each in real) and not any(each.flags & Flag.HOLDS for each in everybody):
             self._say("nothing", 0, ", ".join(processes.command_of(pid) for pid in self._members))
 

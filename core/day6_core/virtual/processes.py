@@ -45,8 +45,18 @@ def stirred(pid: int) -> int:
         fields = _stat(f"{thread}/stat")
         if fields and fields[0] in "RDZX":
             return next(_restless)
-        times += _slices(f"{thread}/schedstat")
+        times += _scheduled(f"{thread}/schedstat")[2]
     return times
+
+
+def used(pid: int) -> tuple[float, float]:
+    """Return for how many seconds its threads have had a core, and for how many they have wanted one."""
+    had = wanted = 0.0
+    for thread in _threads(pid):
+        cpu, waited, _ = _scheduled(f"{thread}/schedstat")
+        had += cpu / 1e9
+        wanted += (cpu + waited) / 1e9
+    return had, wanted
 
 
 def tree_stirred(pid: int, known: Container[int]) -> int:
@@ -117,10 +127,10 @@ def _children(pid: int) -> list[int]:
     return [int(child) for thread in _threads(pid) for child in _read(f"{thread}/children").split()]
 
 
-def _slices(path: str) -> int:
-    """How often a thread was given a core; 0 if it is gone."""
+def _scheduled(path: str) -> list[int]:
+    """For how long a thread had a core and waited for one, ns, and how often; zeros if it is gone."""
     fields = _read(path).split()
-    return int(fields[2]) if len(fields) > 2 else 0
+    return [int(field) for field in fields] if len(fields) == 3 else [0, 0, 0]
 
 
 def _stat(path: str) -> list[str]:

@@ -26,9 +26,14 @@ class NotHere(OSError):
     """There is no virtual time on this system."""
 
 
+@cache
 def is_there() -> bool:
-    """Return whether there is virtual time on this system."""
-    return sys.platform == "linux"
+    """Return whether there is virtual time on this system: Linux that says of a process how often it has run."""
+    try:
+        with open("/proc/self/schedstat", encoding="ascii") as file:
+            return sys.platform == "linux" and file.read().split()[2:] != ["0"]
+    except OSError:
+        return False
 
 
 def is_virtual() -> bool:
