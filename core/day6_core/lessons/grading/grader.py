@@ -27,6 +27,7 @@ from day6_core.lessons.grading.grades import ANSWERS, Grade, Graded
 from day6_core.lessons.grading.marks import Mark, Seen, both
 from day6_core.lessons.grading.scenarios import Grading, longest
 from day6_core.lessons.texts import Say
+from day6_core.virtual.surroundings import is_there
 
 WARDEN = "day6_core.lessons.grading.warden"
 PATIENCE = 10.0
@@ -90,10 +91,14 @@ class Grader:
         seconds: float | None = None,
         seed: str = "",
         shielded: bool = True,
+        virtual: bool = True,
         answers: Mapping[str, Mapping[str, str]] | None = None,
         hidden: Iterable[Path] = (),
     ) -> None:
-        """`hidden`: folders in which no program of a submission finds anything; no submission finds another, either."""
+        """`hidden`: folders in which no program of a submission finds anything; no submission finds another, either.
+
+        `virtual`: in virtual time, where there is any.
+        """
         self.seed = seed or secrets.token_hex(8)
         self._gradings = gradings
         self._hidden = set(map(os.path.realpath, hidden))
@@ -102,6 +107,7 @@ class Grader:
         self.closed: Path | None = None
         """The folder because of which programs of submissions run as root."""
         self._seconds = longest(gradings) if seconds is None else seconds
+        self._virtual = virtual and is_there()
         self._shield = shield.Shield.WHOLE if shielded else shield.Shield.NONE
         self._answers = right_answers(each.lesson for each in gradings) if answers is None else answers
         self._wardens: set[subprocess.Popen[bytes]] = set()
@@ -206,7 +212,8 @@ class Grader:
         """What the warden and the judge said about one submission."""
         job = {
             "archive": str(file.absolute()), "seed": self.seed, "seconds": self._seconds, "shield": self._shield.value,
-            "gradings": self._texts, "user": self._user(), "hidden": sorted(self._hidden), **chosen,
+            "gradings": self._texts, "user": self._user(), "hidden": sorted(self._hidden),
+            "virtual": self._virtual, **chosen,
         }  # fmt: skip
         if self._stopped:
             return []

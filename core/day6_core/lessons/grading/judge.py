@@ -6,6 +6,13 @@ not. Verdicts go, one line of JSON each, to a pipe that no other process has.
 
 from __future__ import annotations
 
+from day6_core.virtual.surroundings import is_virtual
+
+if is_virtual():  # before others take from Python what it replaces
+    from day6_core.virtual.follow import begin
+
+    begin()
+
 import json
 import os
 import sys

@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING, Any
 
 from day6_core.guardian import MARK
 from day6_core.lessons.grading import shield
+from day6_core.virtual import surroundings
 
 assert not TYPE_CHECKING or sys.platform != "win32"  # `command.main` says so there
 
@@ -99,7 +100,8 @@ def _watched(job: dict[str, Any], work: Path, mark: str, processes: Any) -> dict
         if seconds >= STALL:
             stalls.append((time.monotonic(), round(seconds, 3)))
 
-    return {"ended": shield.watch(child, float(job["seconds"]), processes, late), "stalls": list(stalls)}
+    ended = shield.watch(child, float(job["seconds"]), processes, late)
+    return {"ended": ended, "stalls": [] if job["virtual"] else list(stalls)}
 
 
 def _become_judge(job: dict[str, Any], work: Path, mark: str, reading: int, writing: int) -> None:
@@ -120,6 +122,9 @@ def _become_judge(job: dict[str, Any], work: Path, mark: str, reading: int, writ
     if mark:
         environment[f"{MARK}_GRADE"] = mark
     environment.setdefault("LANG", "C.UTF-8")
+    if job["virtual"]:
+        surroundings.make_world(world := str(work / str(os.getpid())))
+        environment = surroundings.environment(environment, world)
     os.chdir(work)
     os.execve(sys.executable, [sys.executable, "-I", "-m", JUDGE], environment)
 
