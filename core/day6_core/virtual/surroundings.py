@@ -15,6 +15,9 @@ VARIABLE = "DAY6_TIME"
 """Names the folder of the world; NEW in a process that is to be the first of one, and empty in one that is to be in none."""
 NEW = "new"
 
+NOBODY = "nobody"
+"""In place of what comes from outside: nobody is there to be told anything, either."""
+
 _PREFIX = "day6-time-"
 _OUTSIDE = "outside"
 _LONGEST_PLACE = 36
@@ -129,7 +132,7 @@ def _make_folder() -> str:
     return world
 
 
-def make_world(world: str, outside: str = "") -> None:
+def make_world(world: str, outside: str = NOBODY) -> None:
     """Make the folder of a world; its name begins with the number of the first process, and perhaps a prefix. Raises OSError.
 
     What is read from a file of the identity `outside` comes from outside.
