@@ -13,6 +13,7 @@ import sys
 import threading
 import time
 import traceback
+from collections.abc import Callable
 from functools import cache, partial
 from importlib import import_module
 from pathlib import Path
@@ -78,11 +79,12 @@ def prepare(job: dict[str, Any]) -> None:
     gc.freeze()  # or the first collection of every child would copy all that it shares
 
 
-def judge(job: dict[str, Any]) -> None:
-    """Judge one; doesn't return if anything of it was played."""
+def judge(job: dict[str, Any], begin: Callable[[], None] = lambda: None) -> None:
+    """Judge one, for which `begin` is called first; doesn't return if anything of it was played."""
     shield.hide()
     report = Report()
     try:
+        begin()
         _unpack_and_play(job, report)
     except Exception as error:
         _say_whose_fault(error, report)

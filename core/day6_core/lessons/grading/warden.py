@@ -77,11 +77,7 @@ def _prepared(job: dict[str, Any]) -> Begin:
 
     judge.prepare(job)
 
-    def begin(job: dict[str, Any]) -> None:
-        begin_world(HELD_SECONDS)
-        judge.judge(job)
-
-    return begin
+    return lambda job: judge.judge(job, lambda: begin_world(HELD_SECONDS))
 
 
 def _serve(job: dict[str, Any], begin: Begin | None) -> None:

@@ -29,28 +29,32 @@ class _Place:
         self.world: Coordinator | Member
 
     def enter(self, limit: float | None = None) -> None:
-        """Take part in the world that the environment names."""
-        try:
-            folder = own_world()
-            path = socket_of(folder)
-            if is_first(folder):
-                self.world = Coordinator(path, tell, None if limit is None else Limit(limit))
-                atexit.register(_remove, folder)
-            else:
-                self.world = Member(path)
-                self.world.enter(self.kernel)
-        except OSError:
-            tell("no_world", os.environ[VARIABLE])
-            os._exit(1)
+        """Take part in the world that the environment names. Raises OSError."""
+        folder = own_world()
+        path = socket_of(folder)
+        if is_first(folder):
+            self.world = Coordinator(path, tell, None if limit is None else Limit(limit))
+            atexit.register(_remove, folder)
+        else:
+            self.world = Member(path)
+            self.world.enter(self.kernel)
         self.kernel.world = self.world
         if outside() != NOBODY:
             watch(self.kernel, tell)
+
+    def enter_or_end(self) -> None:
+        """Take part, or end this process."""
+        try:
+            self.enter()
+        except OSError:
+            tell("no_world", os.environ[VARIABLE])
+            os._exit(1)
 
     def enter_child(self) -> None:
         """Take part as a process of its own, in the child of a fork."""
         self.world.leave()
         self.kernel.forked()
-        self.enter()
+        self.enter_or_end()
 
     def install(self) -> None:
         """Have everything follow the kernel from now on."""
@@ -67,7 +71,7 @@ class _Place:
 def begin() -> None:
     """Take part in the world that the environment names, from now on."""
     place = _Place()
-    place.enter()
+    place.enter_or_end()
     place.install()
 
 
@@ -75,7 +79,7 @@ def prepare() -> Callable[[float], None]:
     """Let this process be one of virtual time, without a world so far: it must wait for nothing.
 
     The returned function is for its children, each made by the real `os.fork`: it makes one the first process of the world that
-    its environment names then. Nothing else in that is trusted, and may hold its time for so many seconds.
+    its environment names then. Nothing else in that is trusted, and may hold its time for so many seconds. Raises OSError.
     """
     place = _Place()
     place.kernel.yield_at = FOR_EVER_NS
