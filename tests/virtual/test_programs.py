@@ -137,6 +137,19 @@ with open(big, "rb") as file: print(len(file.read()))
 """,
         "0 1.0\n1 2.0\n2 3.0\n300000\n300000\n",
     ),
+    "a terminal that lets nobody wait": (
+        """
+import os, pty, termios, time
+_, terminal = pty.openpty()
+for patience in 0, 5:
+    mode = termios.tcgetattr(terminal)
+    mode[3] &= ~termios.ICANON
+    mode[6][termios.VMIN], mode[6][termios.VTIME] = 0, patience
+    termios.tcsetattr(terminal, termios.TCSANOW, mode)
+    print(os.read(terminal, 9), round(time.monotonic(), 2))
+""",
+        "b'' 0.0\nb'' 0.5\n",
+    ),
     "a socket in the place of a pipe": (
         """
 import os, select, socket, subprocess, sys, time

@@ -168,6 +168,7 @@ class Kernel:
         self._watching.clear()
         self._arrived.clear()
         self._in_kernel = self.idling = False
+        self.now, self.yield_at = 0, LONGEST_READING_NS
 
     # -- waiting -------------------------------------------------------------------------------------------------------
 

@@ -51,7 +51,6 @@ class Member:
     def __init__(self, path: str) -> None:
         self._socket = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
         _connect(self._socket, path)
-        _send(self._socket, packed(Kind.HELLO, 0, os.getpid(), 0))
         self._waiting: list[bytes] = []
 
     def enter(self, kernel: Kernel) -> None:

@@ -69,6 +69,26 @@ def tree_stirred(pid: int, known: Container[int]) -> int:
     return times
 
 
+def tree(pid: int) -> list[int]:
+    """Return a process and all that it has started and they have."""
+    found = [pid]
+    for each in found:
+        found += _children(each)
+    return found
+
+
+def parent_of(pid: int) -> int:
+    """Return who has started a process, 0 if it is gone."""
+    fields = _stat(f"/proc/{pid}/stat")
+    return int(fields[1]) if fields else 0
+
+
+def started_at(pid: int) -> int:
+    """Return when a process was started, in ticks since the machine was, 0 if it is gone."""
+    fields = _stat(f"/proc/{pid}/stat")
+    return int(fields[19]) if len(fields) > 19 else 0
+
+
 def tree_waits_for_others(pid: int, known: Container[int], outside: str) -> bool:
     """Return whether a process, and those that it has started, wait for what others write or read, or for each other's end.
 

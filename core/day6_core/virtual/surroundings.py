@@ -15,6 +15,9 @@ VARIABLE = "DAY6_TIME"
 """Names the folder of the world; NEW in a process that is to be the first of one, and empty in one that is to be in none."""
 NEW = "new"
 
+NOBODY = "nobody"
+"""In place of what comes from outside: nobody is there to be told anything, either."""
+
 _PREFIX = "day6-time-"
 _OUTSIDE = "outside"
 _LONGEST_PLACE = 36
@@ -41,8 +44,8 @@ def is_virtual() -> bool:
     return bool(os.environ.get(VARIABLE))
 
 
-def environment(base: Mapping[str, str]) -> dict[str, str]:
-    """Return the variables for a program of Python that is the first of a new world.
+def environment(base: Mapping[str, str], world: str = "") -> dict[str, str]:
+    """Return the variables for a program of Python that is the first of a new world: `world` is its folder, if that is made.
 
     Raises:
         NotHere: on systems other than Linux.
@@ -50,7 +53,9 @@ def environment(base: Mapping[str, str]) -> dict[str, str]:
     if not is_there():
         raise NotHere
     env = dict(base)
-    env[VARIABLE] = NEW
+    env[VARIABLE] = world or NEW
+    if world:
+        env["DAY6_RUNTIME_DIR"] = world
     env["DAY6_LINK"] = "local"
     env.setdefault("PYTHONHASHSEED", "0")
     env["PYTHONPATH"] = os.pathsep.join(filter(None, (_STARTUP, env.get("PYTHONPATH"))))
@@ -127,10 +132,18 @@ def _make_folder() -> str:
     for number in count():
         world = os.path.join(place, f"{_PREFIX}{os.getpid()}-{number}")
         with suppress(FileExistsError):
-            os.mkdir(world, 0o700)
+            make_world(world, identity(0))
             break
-    os.symlink(identity(0) or "nothing", os.path.join(world, _OUTSIDE))
     return world
+
+
+def make_world(world: str, outside: str = NOBODY) -> None:
+    """Make the folder of a world; its name begins with the number of the first process, and perhaps a prefix. Raises OSError.
+
+    What is read from a file of the identity `outside` comes from outside.
+    """
+    os.mkdir(world, 0o700)
+    os.symlink(outside or "nothing", os.path.join(world, _OUTSIDE))
 
 
 def _remove_own(world: str) -> None:

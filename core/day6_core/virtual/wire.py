@@ -21,8 +21,6 @@ unpacked = _FRAME.unpack
 class Kind:
     """The kinds of frames, and what their two numbers are."""
 
-    HELLO = 1
-    """A process takes part: its number."""
     IDLE = 2
     """All its threads wait: its time, and until when it waits, or NEVER. With flags."""
     TOUCHED = 3

@@ -9,6 +9,7 @@ if sys.platform != "linux":
 
 import _posixsubprocess
 import os
+import time
 from collections.abc import Callable
 from typing import Any, Protocol, TypeVar
 
@@ -95,6 +96,8 @@ def install(kernel: Kernel, world: Callable[[], World], enter_child: Callable[[]
     subprocess: Any = sys.modules.get("subprocess")
     if subprocess is not None and hasattr(subprocess, "_fork_exec"):
         subprocess._fork_exec = fork_exec_and_tell
+    if subprocess is not None:
+        subprocess._time = time.monotonic
     system.posix_spawn, system.posix_spawnp = spawn_and_tell(posix_spawn), spawn_and_tell(posix_spawnp)
     system.fork, system.system = fork_and_tell, _system
     system.waitpid, system.wait, system.waitid = waitpid, lambda: waitpid(-1, 0), _waitid

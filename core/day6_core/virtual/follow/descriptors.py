@@ -215,8 +215,17 @@ def _follow_selectors(module: Any) -> None:
 def read(fd: int, length: int, /) -> bytes:
     """As `os.read`."""
     if os.get_blocking(fd) and not stat.S_ISREG(os.fstat(fd).st_mode):
-        wait_until_ready(fd, select.POLLIN, None)
+        wait_until_ready(fd, select.POLLIN, _patience_of(fd) if os.isatty(fd) else None)
     return _real_read(fd, length)
+
+
+def _patience_of(terminal: int) -> float | None:
+    """For how many seconds a terminal lets who reads wait for a key: VTIME, where VMIN is 0; None for as long as it takes."""
+    import termios
+
+    mode = termios.tcgetattr(terminal)
+    characters: Any = mode[6]
+    return None if mode[3] & termios.ICANON or characters[termios.VMIN] else characters[termios.VTIME] / 10
 
 
 class Pipe(io.FileIO):
