@@ -137,6 +137,24 @@ with open(big, "rb") as file: print(len(file.read()))
 """,
         "0 1.0\n1 2.0\n2 3.0\n300000\n300000\n",
     ),
+    "a terminal whose reading waits for nothing, or for a time": (
+        """
+import os, pty, termios, threading, time
+ours, side = pty.openpty()
+def read_with(tenths):
+    mode = termios.tcgetattr(side)
+    mode[3] &= ~(termios.ICANON | termios.ECHO)
+    mode[6][termios.VMIN], mode[6][termios.VTIME] = 0, tenths
+    termios.tcsetattr(side, termios.TCSANOW, mode)
+    print(os.read(side, 9), round(time.monotonic(), 1))
+read_with(0)
+read_with(20)
+threading.Timer(1, os.write, [ours, b"typed"]).start()
+read_with(20)
+print(open(side, "rb", 0).read(9), round(time.monotonic(), 1))
+""",
+        "b'' 0.0\nb'' 2.0\nb'typed' 3.0\nb'' 5.0\n",
+    ),
     "a socket in the place of a pipe": (
         """
 import os, select, socket, subprocess, sys, time

@@ -196,9 +196,23 @@ def _follow_selectors(module: Any) -> None:
 
 def read(fd: int, length: int, /) -> bytes:
     """As `os.read`."""
-    if os.get_blocking(fd) and not stat.S_ISREG(os.fstat(fd).st_mode):
-        wait_until_ready(fd, select.POLLIN, None)
+    if not stat.S_ISREG(os.fstat(fd).st_mode) and not _wait_for_input(fd):
+        return b""
     return _real_read(fd, length)
+
+
+def _wait_for_input(fd: int) -> bool:
+    """Wait as reading would; False if a terminal has nothing and was told not to wait for it, or only for a time."""
+    return not os.get_blocking(fd) or wait_until_ready(fd, select.POLLIN, _time_limit(fd) if os.isatty(fd) else None)
+
+
+def _time_limit(terminal: int) -> float | None:
+    """Seconds for which reading from a terminal waits, None if as long as it takes."""
+    import termios
+
+    mode, characters = termios.tcgetattr(terminal)[3::3]
+    least, tenths = (n if isinstance(n, int) else n[0] for n in (characters[termios.VMIN], characters[termios.VTIME]))
+    return tenths / 10 if not mode & termios.ICANON and not least else None
 
 
 class Pipe(io.FileIO):
@@ -206,15 +220,13 @@ class Pipe(io.FileIO):
 
     def readinto(self, buffer: Any) -> Any:
         """As there."""
-        self._wait(select.POLLIN)
-        return super().readinto(buffer)
+        return super().readinto(buffer) if _wait_for_input(self.fileno()) else 0
 
     def read(self, size: int | None = -1) -> Any:
         """As there."""
         if size is None or size < 0:
             return self.readall()
-        self._wait(select.POLLIN)
-        return super().read(size)
+        return super().read(size) if _wait_for_input(self.fileno()) else b""
 
     def readall(self) -> Any:
         """As there."""
@@ -228,16 +240,13 @@ class Pipe(io.FileIO):
         left = memoryview(data).cast("B")
         size = len(left)
         while left:
-            self._wait(select.POLLOUT)
+            if os.get_blocking(self.fileno()):
+                wait_until_ready(self.fileno(), select.POLLOUT, None)
             written = super().write(left[: select.PIPE_BUF])
             if written is None:
                 return size - len(left) or None
             left = left[written:]
         return size
-
-    def _wait(self, events: int) -> None:
-        if os.get_blocking(self.fileno()):
-            wait_until_ready(self.fileno(), events, None)
 
 
 def _opening(real: Callable[..., Any]) -> Callable[..., Any]:
