@@ -31,7 +31,7 @@ from day6_core.virtual.kernel import Kernel
 from day6_core.virtual.member import state_of
 from day6_core.virtual.surroundings import outside
 from day6_core.virtual.told import TOLD_AFTER
-from day6_core.virtual.wire import NEVER, SIZE, Flag, Kind, packed, unpacked
+from day6_core.virtual.wire import NEVER, SENT_BY_SYSTEM, SIZE, Flag, Kind, packed, unpacked
 
 _poll = select.poll
 _recv, _send, _accept = socket.socket.recv, socket.socket.sendall, socket.socket.accept
@@ -129,6 +129,13 @@ class Coordinator:
             return
         for pid in sorted(processes.group_members(-target)):
             self._signal(pid, number)
+
+    def typed(self, group: int) -> None:
+        """Something was typed for a group of processes, to whom the terminal may have sent a signal."""
+        for member in self._members.values():
+            with suppress(ProcessLookupError):
+                if member.is_idle and os.getpgid(member.pid) == group:
+                    member.signals.append(SENT_BY_SYSTEM)
 
     def want(self) -> None:
         """Something has come from outside to the first process itself."""
@@ -297,6 +304,8 @@ class Coordinator:
                     self.spawned(first)
             elif kind == Kind.KILLED:
                 self.killed(first, second)
+            elif kind == Kind.TYPED:
+                self.typed(first)
             elif kind == Kind.WANTS:
                 member.touched = True
 

@@ -47,7 +47,7 @@ def begin() -> None:
     locks.install(kernel)
     threads.install(kernel)
     clocks.install(kernel)
-    descriptors.install(kernel, lambda pid: world.touched(pid))
+    descriptors.install(kernel, lambda pid: world.touched(pid), lambda group: world.typed(group))
     children.install(kernel, lambda: world, enter_child)
     signals.install(kernel)
     tracebacks.install()

@@ -23,23 +23,28 @@ from day6_core.virtual.surroundings import identity, outside
 T = TypeVar("T")
 
 _real_epoll, _real_poll, _real_select = select.epoll, select.poll, select.select
-_real_read = os.read
+_real_read, _real_write = os.read, os.write
+_TIOCGPTPEER = 0x5441
 _kernel: Kernel
 _told: Callable[[int], object]
+_typed: Callable[[int], object]
 _peers: dict[int, int] = {}
 """By `_socket_number`: the process at the other end of a socket, 0 if it is no Unix socket."""
 _tells = True
 """Whether every process tells what it sends through Unix sockets; not after descriptors were handed on to others."""
 
 
-def install(kernel: Kernel, touched: Callable[[int], object]) -> None:
-    """Have what waits for descriptors follow a kernel; who sends something to a process says so by `touched`."""
-    global _kernel, _told
-    _kernel, _told = kernel, touched
+def install(kernel: Kernel, touched: Callable[[int], object], typed: Callable[[int], object]) -> None:
+    """Have what waits for descriptors follow a kernel.
+
+    Who sends something to a process says so by `touched`, who types something for a group of processes by `typed`.
+    """
+    global _kernel, _told, _typed
+    _kernel, _told, _typed = kernel, touched, typed
     module: Any = select
     module.epoll, module.poll, module.select = Epoll, Poll, select_
     system: Any = os
-    system.read = read
+    system.read, system.write = read, write
     when_imported("selectors", _follow_selectors)
     when_imported("socket", _follow_sockets)
     files: Any = io
@@ -213,6 +218,28 @@ def _time_limit(terminal: int) -> float | None:
     mode, characters = termios.tcgetattr(terminal)[3::3]
     least, tenths = (n if isinstance(n, int) else n[0] for n in (characters[termios.VMIN], characters[termios.VTIME]))
     return tenths / 10 if not mode & termios.ICANON and not least else None
+
+
+def write(fd: int, data: Any, /) -> int:
+    """As `os.write`."""
+    written = _real_write(fd, data)
+    if os.isatty(fd):
+        _let_arrive(fd)
+    return written
+
+
+def _let_arrive(fd: int) -> None:
+    """Wait until what was written to a terminal from outside has come in: Linux does that on a thread of its own."""
+    import fcntl
+
+    try:
+        inside = fcntl.ioctl(fd, _TIOCGPTPEER, os.O_RDWR | os.O_NOCTTY)
+    except OSError:
+        return  # this is the inside
+    is_ready(inside, select.POLLIN)  # waits for that thread
+    os.close(inside)
+    if group := os.tcgetpgrp(fd):
+        _typed(group)
 
 
 class Pipe(io.FileIO):
