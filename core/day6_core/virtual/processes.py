@@ -47,6 +47,12 @@ def stirred(pid: int) -> int:
     return times
 
 
+def sleeps(pid: int, but: int) -> bool:
+    """Return whether all threads of a process but one wait, and not for a core or the disk."""
+    states = [_stat(f"{thread}/stat")[:1] for thread in _threads(pid) if not thread.endswith(f"/{but}")]
+    return all(state in ([], ["S"]) for state in states)
+
+
 def tree_stirred(pid: int, known: Container[int]) -> int:
     """The same of a process and those that it has started, but for those that are known."""
     times = stirred(pid)

@@ -2,16 +2,22 @@
 
 from __future__ import annotations
 
+import sys
+
+if sys.platform != "linux":
+    raise ImportError("there is no virtual time on this system")
+
 import _thread
 import os
-import sys
 import time
 from collections.abc import Callable
 
+from day6_core.virtual import processes
 from day6_core.virtual.kernel import Kernel
 from day6_core.virtual.told import TOLD_AFTER
 
 _start_new_thread, _allocate_lock, _cpu_time = _thread.start_new_thread, _thread.allocate_lock, time.process_time
+_get_native_id = _thread.get_native_id
 _FOLDER = os.path.dirname(__file__)
 _LOOKS_EVERY = TOLD_AFTER / 4
 """Real seconds."""
@@ -27,23 +33,31 @@ def _watch(kernel: Kernel, tell: Callable[[str, str], None]) -> None:
     never.acquire()
     turn, told = -1, -1
     looks: list[float] = []
+    asleep = 0
     while True:
         if kernel.turns != turn or kernel.idling:
             turn = kernel.turns
             looks.clear()
         looks.append(_cpu_time())
-        if turn != told and (kind := _what_lasts(looks)) and (place := _place(kernel.running.ident)):
+        asleep = asleep + 1 if processes.sleeps(os.getpid(), _get_native_id()) else 0
+        if turn != told and (kind := _what_lasts(looks, asleep)) and (place := _place(kernel.running.ident)):
             told = turn
             tell(kind, place)
-        never.acquire(timeout=_LOOKS_EVERY)  # as the other threads wait, and not as a program that sleeps; see `processes`
+        never.acquire(
+            timeout=_LOOKS_EVERY
+        )  # as the other threads wait, and not as a program that sleeps; see `processes`
 
 
-def _what_lasts(looks: list[float]) -> str:
-    """What holds time: seconds of computing (however long those take beside other programs), or a time without any."""
+def _what_lasts(looks: list[float], asleep: int) -> str:
+    """What holds time: seconds of computing (however long those take beside other programs), or a time without any.
+
+    Who waits for a core or for the disk, which may be seconds on a busy machine, does neither.
+    """
     if looks[-1] - looks[0] >= TOLD_AFTER * 0.9:
         return "busy"
     before = len(looks) - 1 - round(TOLD_AFTER / _LOOKS_EVERY)
-    return "real" if before >= 0 and looks[-1] - looks[before] < TOLD_AFTER / 10 else ""
+    rests = before >= 0 and looks[-1] - looks[before] < TOLD_AFTER / 10
+    return "real" if rests and asleep >= len(looks) - before else ""
 
 
 def _place(thread: int) -> str:
