@@ -33,7 +33,7 @@ from day6_core.virtual.limit import Limit
 from day6_core.virtual.member import state_of
 from day6_core.virtual.surroundings import outside
 from day6_core.virtual.told import TOLD_AFTER, Used, is_computing, is_waiting
-from day6_core.virtual.wire import NEVER, SIZE, Flag, Kind, packed, unpacked
+from day6_core.virtual.wire import NEVER, SENT_BY_SYSTEM, SIZE, Flag, Kind, packed, unpacked
 
 _poll, _epoll = select.poll, select.epoll
 _recv, _send, _accept = socket.socket.recv, socket.socket.send, socket.socket.accept
@@ -156,6 +156,13 @@ class Coordinator:
             return
         for pid in sorted(processes.group_members(-target)):
             self._signal(pid, number)
+
+    def typed(self, group: int) -> None:
+        """Something was typed for a group of processes, to whom the terminal may have sent a signal."""
+        for member in self._members.values():
+            with suppress(ProcessLookupError):
+                if member.is_idle and SENT_BY_SYSTEM not in member.signals and os.getpgid(member.pid) == group:
+                    member.signals.append(SENT_BY_SYSTEM)
 
     def want(self) -> None:
         """Something has come from outside to the first process itself."""
@@ -356,6 +363,8 @@ class Coordinator:
             elif kind == Kind.KILLED:
                 if second in _SIGNALS:
                     self.killed(first, second)
+            elif kind == Kind.TYPED:
+                self.typed(first)
             elif kind == Kind.WANTS:
                 member.touched = True
 

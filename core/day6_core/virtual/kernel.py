@@ -348,6 +348,10 @@ class Kernel:
     def deliver(self, number: int) -> None:
         """Have the main thread call a handler when it has its turn."""
         self._arrived.append(number)
+        self.attend()
+
+    def attend(self) -> None:
+        """Give the main thread a turn, in which Python has it see the signals that have come."""
         self.main.signalled = True
         if self.main.waiting:
             self._queue(self.main)

@@ -44,6 +44,11 @@ def is_virtual() -> bool:
     return bool(os.environ.get(VARIABLE))
 
 
+def is_due(*, real_time: bool) -> bool:
+    """Return whether a command that runs in virtual time where there is any has yet to begin anew for that."""
+    return is_there() and not is_virtual() and not real_time
+
+
 def environment(base: Mapping[str, str], world: str = "") -> dict[str, str]:
     """Return the variables for a program of Python that is the first of a new world: `world` is its folder, if that is made.
 

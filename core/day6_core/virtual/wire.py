@@ -9,6 +9,8 @@ from struct import Struct
 
 NEVER = -1
 """In place of a time."""
+SENT_BY_SYSTEM = 0
+"""In place of a signal's number: the system has sent one, perhaps, and Python has yet to see it."""
 
 _FRAME = Struct("<BBqq")
 SIZE = _FRAME.size
@@ -34,9 +36,12 @@ class Kind:
     GO = 7
     """It may go on: the time, and the process's number in the world. With flags."""
     SIGNAL = 8
-    """Before GO: a signal for it, its number."""
+    """Before GO: a signal for it, its number; or SENT_BY_SYSTEM."""
     SLEEP = 9
     """Nothing will happen before something comes from outside: it has to watch its own descriptors."""
+
+    TYPED = 10
+    """It has typed something in the terminal of a group of processes: its number."""
 
 
 class Flag:

@@ -61,7 +61,7 @@ class _Place:
         locks.install(self.kernel)
         threads.install(self.kernel)
         clocks.install(self.kernel)
-        descriptors.install(self.kernel, lambda pid: self.world.touched(pid))
+        descriptors.install(self.kernel, lambda pid: self.world.touched(pid), lambda group: self.world.typed(group))
         children.install(self.kernel, lambda: self.world, self.enter_child)
         signals.install(self.kernel)
         tracebacks.install()

@@ -23,23 +23,28 @@ from day6_core.virtual.surroundings import identity, outside
 T = TypeVar("T")
 
 _real_epoll, _real_poll, _real_select = select.epoll, select.poll, select.select
-_real_read = os.read
+_real_read, _real_write = os.read, os.write
+_TIOCGPTPEER = 0x5441
 _kernel: Kernel
 _told: Callable[[int], object]
+_typed: Callable[[int], object]
 _peers: dict[int, int] = {}
 """By `_socket_number`: the process at the other end of a socket, 0 if it is no Unix socket."""
 _tells = True
 """Whether every process tells what it sends through Unix sockets; not after descriptors were handed on to others."""
 
 
-def install(kernel: Kernel, touched: Callable[[int], object]) -> None:
-    """Have what waits for descriptors follow a kernel; who sends something to a process says so by `touched`."""
-    global _kernel, _told
-    _kernel, _told = kernel, touched
+def install(kernel: Kernel, touched: Callable[[int], object], typed: Callable[[int], object]) -> None:
+    """Have what waits for descriptors follow a kernel.
+
+    Who sends something to a process says so by `touched`, who types something for a group of processes by `typed`.
+    """
+    global _kernel, _told, _typed
+    _kernel, _told, _typed = kernel, touched, typed
     module: Any = select
     module.epoll, module.poll, module.select = Epoll, Poll, select_
     system: Any = os
-    system.read = read
+    system.read, system.write = read, write
     when_imported("selectors", _follow_selectors)
     when_imported("socket", _follow_sockets)
     files: Any = io
@@ -214,18 +219,45 @@ def _follow_selectors(module: Any) -> None:
 
 def read(fd: int, length: int, /) -> bytes:
     """As `os.read`."""
-    if os.get_blocking(fd) and not stat.S_ISREG(os.fstat(fd).st_mode):
-        wait_until_ready(fd, select.POLLIN, _patience_of(fd) if os.isatty(fd) else None)
+    if not stat.S_ISREG(os.fstat(fd).st_mode) and not _wait_for_input(fd):
+        return b""
     return _real_read(fd, length)
 
 
-def _patience_of(terminal: int) -> float | None:
-    """For how many seconds a terminal lets who reads wait for a key: VTIME, where VMIN is 0; None for as long as it takes."""
+def _wait_for_input(fd: int) -> bool:
+    """Wait as reading would; False if a terminal has nothing and was told not to wait for it, or only for a time."""
+    return not os.get_blocking(fd) or wait_until_ready(fd, select.POLLIN, _time_limit(fd) if os.isatty(fd) else None)
+
+
+def _time_limit(terminal: int) -> float | None:
+    """Seconds for which reading from a terminal waits, None if as long as it takes."""
     import termios
 
-    mode = termios.tcgetattr(terminal)
-    characters: Any = mode[6]
-    return None if mode[3] & termios.ICANON or characters[termios.VMIN] else characters[termios.VTIME] / 10
+    mode, characters = termios.tcgetattr(terminal)[3::3]
+    least, tenths = (n if isinstance(n, int) else n[0] for n in (characters[termios.VMIN], characters[termios.VTIME]))
+    return tenths / 10 if not mode & termios.ICANON and not least else None
+
+
+def write(fd: int, data: Any, /) -> int:
+    """As `os.write`."""
+    written = _real_write(fd, data)
+    if os.isatty(fd):
+        _let_arrive(fd)
+    return written
+
+
+def _let_arrive(fd: int) -> None:
+    """Wait until what was written to a terminal from outside has come in: Linux does that on a thread of its own."""
+    import fcntl
+
+    try:
+        inside = fcntl.ioctl(fd, _TIOCGPTPEER, os.O_RDWR | os.O_NOCTTY)
+    except OSError:
+        return  # this is the inside
+    is_ready(inside, select.POLLIN)  # waits for that thread
+    os.close(inside)
+    if group := os.tcgetpgrp(fd):
+        _typed(group)
 
 
 class Pipe(io.FileIO):
@@ -233,15 +265,13 @@ class Pipe(io.FileIO):
 
     def readinto(self, buffer: Any) -> Any:
         """As there."""
-        self._wait(select.POLLIN)
-        return super().readinto(buffer)
+        return super().readinto(buffer) if _wait_for_input(self.fileno()) else 0
 
     def read(self, size: int | None = -1) -> Any:
         """As there."""
         if size is None or size < 0:
             return self.readall()
-        self._wait(select.POLLIN)
-        return super().read(size)
+        return super().read(size) if _wait_for_input(self.fileno()) else b""
 
     def readall(self) -> Any:
         """As there."""
@@ -255,16 +285,13 @@ class Pipe(io.FileIO):
         left = memoryview(data).cast("B")
         size = len(left)
         while left:
-            self._wait(select.POLLOUT)
+            if os.get_blocking(self.fileno()):
+                wait_until_ready(self.fileno(), select.POLLOUT, None)
             written = super().write(left[: select.PIPE_BUF])
             if written is None:
                 return size - len(left) or None
             left = left[written:]
         return size
-
-    def _wait(self, events: int) -> None:
-        if os.get_blocking(self.fileno()):
-            wait_until_ready(self.fileno(), events, None)
 
 
 def _opening(real: Callable[..., Any]) -> Callable[..., Any]:
