@@ -67,6 +67,7 @@ ACTIONS: tuple[DesktopAction, ...] = (
     DesktopAction("faster"),
     DesktopAction("slower"),
     DesktopAction("normal"),
+    DesktopAction("fastest"),
     DesktopAction("motion"),
     DesktopAction("detach"),
     DesktopAction("class"),

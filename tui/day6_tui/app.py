@@ -37,6 +37,8 @@ from textual.widget import Widget
 from day6_core.language import language_of
 from day6_core.session.harmless import one_line
 from day6_core.shell.process.heap import keep_heap_small
+from day6_core.virtual import surroundings
+from day6_core.virtual.surroundings import in_real_time
 from day6_tui import actions
 from day6_tui.appearance.changing import Looks
 from day6_tui.appearance.colours import colours
@@ -211,7 +213,7 @@ class Day6App(TerminalApp):
         self.terminals = terminals = Terminals(machine, desktop, notices, look)
         self.parts = parts = Parts(look, settings, machine, desktop, notices, terminals)
         self.switching = Switching(parts)
-        self.scenes = ScenePlay(parts, options.robot, visibly=fps > 0)
+        self.scenes = ScenePlay(parts, options.robot, self._follow_in_world, visibly=fps > 0)
         self.arranging = Arranging(parts)
         self.session = SavedDesktop(parts, self.arranging)
         self.lessons = Lessons(parts, self.arranging, options.lessons)
@@ -268,6 +270,8 @@ class Day6App(TerminalApp):
                 "class": self.show_class,
             }
         )
+        if not self.machine.is_virtual:
+            registry.hidden.add("fastest")
         if not self.detachment.is_possible:
             registry.hidden.add("detach")
         link = self.class_link
@@ -291,6 +295,7 @@ class Day6App(TerminalApp):
         sys.setswitchinterval(0.001)
         self.frames.attach()
         self._attend_the_end()
+        self._hear_of_time()
         pane = self.terminals.first_pane()
         self.desktop.focus_pane(self.welcome if self.options.scene is None else pane)
         self.call_after_refresh(self._open_desk)
@@ -315,7 +320,10 @@ class Day6App(TerminalApp):
         elif self.session.in_lesson:
             self.lessons.open()
         self.set_interval(SAVE_SECONDS, self.session.save_meanwhile)
-        self.set_timer(LINK_SECONDS, self.machine.open_link)
+        if surroundings.pace is None:
+            self.set_timer(LINK_SECONDS, self.machine.open_link)
+        else:
+            self.machine.open_link()  # at the same moment of the world each time
         if self.options.has_doors:
             self.set_interval(DOOR_SECONDS, self.frames.wake)
         if (endpoint := self.options.listen) and not self.options.secret:
@@ -338,9 +346,22 @@ class Day6App(TerminalApp):
         for pane in self.terminals.panes:
             pane.take_early_keys()
         self.lessons.look_back()
+        if surroundings.pace is not None:
+            surroundings.pace.begin()
         self.frames.wake()
         if not self.frames.rate:
             self.frames.step()
+
+    def _hear_of_time(self) -> None:
+        """Show what virtual time has to say of itself, which would else write over the picture."""
+        if surroundings.pace is not None:
+            loop, context = asyncio.get_running_loop(), contextvars.copy_context()
+
+            def say(text: str) -> None:
+                with contextlib.suppress(RuntimeError):  # the loop was closed
+                    loop.call_soon_threadsafe(self.notices.show, one_line(text), NOTICE_SECONDS, context=context)
+
+            surroundings.pace.say = say
 
     def _tell(self, note: bytes) -> None:
         """Send what this desktop says of itself to all who observe it."""
@@ -530,6 +551,20 @@ class Day6App(TerminalApp):
         now = time.monotonic()
         if self.frames.untouched_for(now) > LASTING_SECONDS:
             self._turns.rest()
+        self._follow()
+        again = self.session.advance()
+        if surroundings.pace is None:
+            again = self.scenes.advance(now) or again
+        self.recording.advance()
+        if self.detachment.away:
+            self.lessons.begin()
+            return self.notices.expire(now) or again
+        again = self.draw_in_frame(lambda: self._pull_all(now)) or again
+        self.send_pictures()
+        return again
+
+    def _follow(self) -> None:
+        """See what is new on the desk and has to have its place."""
         machine = self.machine
         if machine.desk is not None:
             # Before a scene goes on: what it waits for has its place first.
@@ -542,15 +577,12 @@ class Day6App(TerminalApp):
             self.lessons.follow()
             self.arranging.follow()
             self.distributions.follow()
-        again = self.session.advance()
-        again = self.scenes.advance(now) or again
-        self.recording.advance()
-        if self.detachment.away:
-            self.lessons.begin()
-            return self.notices.expire(now) or again
-        again = self.draw_in_frame(lambda: self._pull_all(now)) or again
-        self.send_pictures()
-        return again
+
+    def _follow_in_world(self) -> None:
+        """The same in virtual time, before a scene goes on: what the world sees of the picture is up to date."""
+        self._follow()
+        for pane in self.desktop.shown():
+            pane.measure()
 
     def _pull_all(self, now: float) -> bool:
         again = False
@@ -701,6 +733,7 @@ class Day6App(TerminalApp):
 
 def run(options: Options) -> int:
     """Open the desktop and return its exit status when the user has left it and every program has ended."""
+    in_real_time()
     keep_heap_small()
     # A frame makes thousands of objects and drops them: looking for circles among them after every 700 costs a tenth of it.
     gc.set_threshold(YOUNG_OBJECTS, *gc.get_threshold()[1:])

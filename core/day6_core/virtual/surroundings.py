@@ -9,14 +9,21 @@ from collections.abc import Mapping
 from contextlib import suppress
 from functools import cache
 from itertools import count
-from typing import NoReturn
+from typing import TYPE_CHECKING, NoReturn
+
+if TYPE_CHECKING:
+    from day6_core.virtual.paced import Pace
 
 VARIABLE = "DAY6_TIME"
-"""Names the folder of the world; NEW in a process that is to be the first of one, and empty in one that is to be in none."""
+"""Names the folder of the world. NEW or PACED in a process that is to be the first of one, empty in one that is to be in none."""
 NEW = "new"
+PACED = "paced"
+"""The new world is one at a pace: a person takes part."""
 
 _PREFIX = "day6-time-"
 _OUTSIDE = "outside"
+_AT_A_PACE = "paced"
+"""A file in its folder."""
 _LONGEST_PLACE = 36
 """Bytes of the folder in which worlds are made: their sockets have paths of 100 bytes at most."""
 _STARTUP = os.path.join(os.path.dirname(__file__), "startup")
@@ -36,8 +43,8 @@ def is_virtual() -> bool:
     return bool(os.environ.get(VARIABLE))
 
 
-def environment(base: Mapping[str, str]) -> dict[str, str]:
-    """Return the variables for a program of Python that is the first of a new world.
+def environment(base: Mapping[str, str], *, paced: bool = False) -> dict[str, str]:
+    """Return the variables for a program of Python that is the first of a new world, in which people take part if `paced`.
 
     Raises:
         NotHere: on systems other than Linux.
@@ -45,23 +52,42 @@ def environment(base: Mapping[str, str]) -> dict[str, str]:
     if not is_there():
         raise NotHere
     env = dict(base)
-    env[VARIABLE] = NEW
+    env[VARIABLE] = PACED if paced else NEW
     env["DAY6_LINK"] = "local"
     env.setdefault("PYTHONHASHSEED", "0")
     env["PYTHONPATH"] = os.pathsep.join(filter(None, (_STARTUP, env.get("PYTHONPATH"))))
     return env
 
 
-def begin_anew(argv: list[str], base: Mapping[str, str]) -> NoReturn:
-    """Become a program of Python that is the first of a new world.
+def begin_anew(argv: list[str], base: Mapping[str, str], *, paced: bool = False) -> NoReturn:
+    """Become a program of Python that is the first of a new world, in which people take part if `paced`.
 
     Raises:
         NotHere: on systems other than Linux.
         OSError: the program can't be started.
     """
-    env = environment(base)
+    env = environment(base, paced=paced)
     sys.stdout.flush()
     os.execve(sys.executable, argv, env)
+
+
+# -- for people ---------------------------------------------------------------------------------------------------------
+
+
+pace: Pace | None = None
+"""Of this process's world, where it is the first one of a world in which people take part."""
+
+
+def in_real_time() -> None:
+    """The calling thread draws for a person or takes keys, and lives in real time, also where this process's is virtual."""
+    if pace is not None:
+        pace.people()
+
+
+def leave() -> None:
+    """This process, which is about to end without Python's own end, leaves nothing of its world."""
+    if pace is not None:
+        remove(os.environ[VARIABLE])
 
 
 # -- the folder of a world ---------------------------------------------------------------------------------------------
@@ -70,8 +96,11 @@ def begin_anew(argv: list[str], base: Mapping[str, str]) -> NoReturn:
 def own_world() -> str:
     """Return the folder of this process's world; made, if it is the first. Raises OSError."""
     world = os.environ[VARIABLE]
-    if world == NEW:
-        world = os.environ[VARIABLE] = os.environ["DAY6_RUNTIME_DIR"] = _make_folder()
+    if world in (NEW, PACED):
+        kind, world = world, _make_folder()
+        os.environ[VARIABLE] = os.environ["DAY6_RUNTIME_DIR"] = world
+        if kind == PACED:
+            os.close(os.open(os.path.join(world, _AT_A_PACE), os.O_CREAT | os.O_CLOEXEC, 0o600))
     return world
 
 
@@ -83,6 +112,11 @@ def socket_of(world: str) -> str:
 def is_first(world: str) -> bool:
     """Return whether this is the process that has the coordinator."""
     return _first_of(world) == str(os.getpid())
+
+
+def is_paced(world: str) -> bool:
+    """Return whether people take part in a world."""
+    return os.path.exists(os.path.join(world, _AT_A_PACE))
 
 
 @cache

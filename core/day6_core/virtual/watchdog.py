@@ -35,7 +35,9 @@ def _watch(kernel: Kernel, tell: Callable[[str, str], None]) -> None:
         if turn != told and (kind := _what_lasts(looks)) and (place := _place(kernel.running.ident)):
             told = turn
             tell(kind, place)
-        never.acquire(timeout=_LOOKS_EVERY)  # as the other threads wait, and not as a program that sleeps; see `processes`
+        never.acquire(
+            timeout=_LOOKS_EVERY
+        )  # as the other threads wait, and not as a program that sleeps; see `processes`
 
 
 def _what_lasts(looks: list[float]) -> str:

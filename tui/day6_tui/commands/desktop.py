@@ -30,6 +30,7 @@ def build_parser(language: str = "en") -> CommandParser:
     parser.used_as("[OPTION ...]", "COMMAND [ARG ...]")
     parser.epilog = _command_list(texts)
     add_options(parser)
+    parser.add_argument("--virtual-time", action="store_true", help=texts("cli.desktop.virtual_time"))
     return parser
 
 
@@ -105,7 +106,24 @@ def main(words: list[str]) -> int:
         parser.error(parser.texts("cli.error.command.behind", name=rest[0]))
     if rest:
         parser.refuse_unknown(rest)
+    virtual = options.virtual_time
+    del options.virtual_time
+    if virtual and (status := _enter_virtual_time(parser, options)) is not None:
+        return status
     return begin(parser, options, words)
+
+
+def _enter_virtual_time(parser: CommandParser, options: argparse.Namespace) -> int | None:
+    """Become the first process of a world in virtual time; None if this is it already, else the status where it can't be."""
+    from day6_core.shell.outward.fast import begin_anew_or_say
+    from day6_core.virtual.surroundings import is_virtual
+
+    for other in ("detach", "listen", "connect"):
+        if getattr(options, other):
+            parser.refuse("--virtual-time", parser.texts("cli.error.not_with", other=f"--{other}"))
+    if is_virtual() or not (sys.stdin.isatty() and sys.stderr.isatty()):
+        return None
+    return begin_anew_or_say(parser, sys.orig_argv, os.environ, paced=True)
 
 
 def begin(parser: CommandParser, options: argparse.Namespace, words: list[str]) -> int:

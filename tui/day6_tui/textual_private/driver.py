@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING
 from textual import events
 
 from day6_core.reason import fault
+from day6_core.virtual.surroundings import in_real_time
 
 try:
     from textual.drivers.linux_driver import LinuxDriver
@@ -129,6 +130,7 @@ class TerminalDriver(LinuxDriver):
         self._sigcont_application()
 
     def _run_input_thread(self) -> None:
+        in_real_time()
         try:
             self.run_input_thread()
         except Exception as error:

@@ -9,12 +9,14 @@ if sys.platform != "linux":
 
 import atexit
 import os
+from collections.abc import Callable
+from functools import partial
 
 from day6_core.virtual.coordinator import Coordinator
 from day6_core.virtual.follow import chance, children, clocks, descriptors, locks, signals, threads, tracebacks
 from day6_core.virtual.kernel import Kernel
 from day6_core.virtual.member import Member
-from day6_core.virtual.surroundings import VARIABLE, is_first, own_world, remove, socket_of
+from day6_core.virtual.surroundings import VARIABLE, is_first, is_paced, own_world, remove, socket_of
 from day6_core.virtual.told import tell
 from day6_core.virtual.watchdog import watch
 
@@ -22,10 +24,20 @@ from day6_core.virtual.watchdog import watch
 def begin() -> None:
     """Take part in the world that the environment names, from now on."""
     kernel = Kernel()
+    begin_pace: Callable[[], None] | None = None
     try:
         folder = own_world()
         path = socket_of(folder)
-        world = Coordinator(path, tell) if is_first(folder) else Member(path)
+        world: Coordinator | Member
+        if not is_first(folder):
+            world = Member(path)
+        elif is_paced(folder):
+            from day6_core.virtual import paced
+
+            kernel, world = paced.PacedKernel(), paced.Pace(path, tell)
+            begin_pace = partial(paced.install, kernel, world)
+        else:
+            world = Coordinator(path, tell)
     except OSError:
         tell("no_world", os.environ[VARIABLE])
         os._exit(1)
@@ -52,6 +64,8 @@ def begin() -> None:
     signals.install(kernel)
     tracebacks.install()
     chance.install(lambda: world.number)
+    if begin_pace is not None:
+        begin_pace()
 
 
 def _remove(world: str) -> None:

@@ -196,9 +196,21 @@ def _follow_selectors(module: Any) -> None:
 
 def read(fd: int, length: int, /) -> bytes:
     """As `os.read`."""
-    if os.get_blocking(fd) and not stat.S_ISREG(os.fstat(fd).st_mode):
+    mode = os.fstat(fd).st_mode
+    if os.get_blocking(fd) and not stat.S_ISREG(mode) and not (stat.S_ISCHR(mode) and _returns_at_once(fd)):
         wait_until_ready(fd, select.POLLIN, None)
     return _real_read(fd, length)
+
+
+def _returns_at_once(fd: int) -> bool:
+    """Whether this is a terminal that was told to give what it has, if only nothing."""
+    import termios
+
+    try:
+        mode = termios.tcgetattr(fd)
+    except termios.error:
+        return False
+    return not mode[3] & termios.ICANON and mode[6][termios.VMIN] in (0, b"\0")
 
 
 class Pipe(io.FileIO):

@@ -8,6 +8,7 @@ TEXTS = {
     "bar.world": "World",
     "bar.nodes": "nodes {count}",
     "bar.topics": "topics {count}",
+    "bar.fastest": "full speed",
     "bar.paused": "paused",
     "bar.language": "中文",
     "bar.door.open": "open {port}: {joined}",
@@ -31,6 +32,8 @@ TEXTS = {
     "bar.help": "F1 Help",
     "bar.starting": "starting …",
     "bar.playing": "typing for you",
+    "time.how": "as fast as they can, and your own programs too: day6-tui --virtual-time",
+    "time.fastest": "as fast as it can be computed",
     "bar.external": "your own programs keep normal speed",
     # presenting
     "bar.scene.paused": "paused: type whatever you like",

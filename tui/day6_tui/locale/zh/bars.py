@@ -8,6 +8,7 @@ TEXTS = {
     "bar.world": "世界",
     "bar.nodes": "节点 {count}",
     "bar.topics": "话题 {count}",
+    "bar.fastest": "全速",
     "bar.paused": "已暂停",
     "bar.language": "EN",
     "bar.door.open": "开放 {port}：{joined} 台",
@@ -31,6 +32,8 @@ TEXTS = {
     "bar.help": "F1 帮助",
     "bar.starting": "正在启动……",
     "bar.playing": "正在替你输入",
+    "time.how": "能算多快跑多快，你自己的程序也一样：day6-tui --virtual-time",
+    "time.fastest": "能算多快就多快",
     "bar.external": "你自己的程序还是正常速度",
     # 演示
     "bar.scene.paused": "已暂停，可以自己输入",
