@@ -68,6 +68,7 @@ ACTIONS: tuple[DesktopAction, ...] = (
     DesktopAction("slower"),
     DesktopAction("normal"),
     DesktopAction("fastest"),
+    DesktopAction("back"),
     DesktopAction("motion"),
     DesktopAction("detach"),
     DesktopAction("class"),

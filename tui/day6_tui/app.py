@@ -32,6 +32,7 @@ import asyncio
 from textual import events, on
 from textual.app import ComposeResult
 from textual.binding import Binding
+from textual.message import Message
 from textual.widget import Widget
 
 from day6_core.language import language_of
@@ -67,6 +68,7 @@ from day6_tui.features.guidance import Guidance
 from day6_tui.features.leaving import Leaving
 from day6_tui.features.lessons import LessonAsked, Lessons
 from day6_tui.features.recording import Recording
+from day6_tui.features.rewind import Rewind, begin_again
 from day6_tui.features.saved_desktop import SavedDesktop
 from day6_tui.features.scene_play import ScenePlay
 from day6_tui.features.welcome import WelcomePane
@@ -88,7 +90,7 @@ from day6_tui.terminal_app import TerminalApp
 from day6_tui.terminals.pane import ARROWS, TerminalPane
 from day6_tui.terminals.shown import Terminals
 from day6_tui.textual_private import output
-from day6_tui.textual_private.access import fail, is_leaving
+from day6_tui.textual_private.access import driver_of, fail, is_leaving
 from day6_tui.textual_private.survival import TYPED
 from day6_tui.turns import LASTING_SECONDS, Turns
 from day6_tui.windows import WindowPane
@@ -226,6 +228,7 @@ class Day6App(TerminalApp):
         detach = self.detachment.detach if self.detachment.is_possible else None
         self.leaving = Leaving(parts, self, detach, class_link.joined if class_link is not None else lambda: 0)
         self.distributions = Distributions(parts, self.leaving, self.session, self._remember, self.exit, options)
+        self.rewind = Rewind(parts, options.past, self._follow_in_world, self.frames.rest, self.exit)
         self.recording = Recording(parts, self, looks, self.leaving.asks)
         self.actions = self._make_actions()
         top = TopLine(
@@ -233,7 +236,7 @@ class Day6App(TerminalApp):
             self.actions,
             doors=options.has_doors,
             recording=self.recording.words,
-            lesson=self.lessons.pieces,
+            lesson=lambda: [*self.rewind.pieces(), *self.lessons.pieces()],
             classroom=self._class_pieces,
             offers=self.classroom.offers,
         )
@@ -255,6 +258,7 @@ class Day6App(TerminalApp):
             self.classroom,
             Guidance(self.parts, registry, self.explaining),
             WorldTime(self.parts),
+            self.rewind,
         ):
             registry.offer(owner.actions())
         registry.offer(
@@ -271,7 +275,7 @@ class Day6App(TerminalApp):
             }
         )
         if not self.machine.is_virtual:
-            registry.hidden.add("fastest")
+            registry.hidden |= {"fastest", "back"}
         if not self.detachment.is_possible:
             registry.hidden.add("detach")
         link = self.class_link
@@ -348,6 +352,10 @@ class Day6App(TerminalApp):
         self.lessons.look_back()
         if surroundings.pace is not None:
             surroundings.pace.begin()
+            from day6_tui.textual_private.driver import TerminalDriver
+
+            if isinstance(driver := driver_of(self), TerminalDriver):
+                self.rewind.play(driver.press_again)
         self.frames.wake()
         if not self.frames.rate:
             self.frames.step()
@@ -524,6 +532,9 @@ class Day6App(TerminalApp):
     def _write_picture(self, text: str) -> None:
         self.classroom.observed.has_drawn = True
         super()._write_picture(text)
+
+    def lets_in(self, message: Message) -> bool:
+        return self.rewind.lets_in(message)
 
     # -- frames --------------------------------------------------------------------------------------------------------
 
@@ -755,6 +766,8 @@ def run(options: Options) -> int:
         app.machine.close()
         ending.over()
     status = ending.status or app.return_code or 0
+    if app.rewind.wanted and not status:
+        begin_again(environ)
     if app.distributions.next and not status:
         return start_again(app.distributions.next, environ, options.keeper)
     return status

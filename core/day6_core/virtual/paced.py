@@ -114,7 +114,7 @@ class PacedKernel(Kernel):
         self.alone = False
 
 
-class Pace(Coordinator):
+class PacedCoordinator(Coordinator):
     """The coordinator of such a world. All but what it overrides is for the threads of people to call."""
 
     _holding = 0
@@ -130,6 +130,10 @@ class Pace(Coordinator):
         """A moment in reality, and the one of the world that corresponds to it."""
         self._went_at = 0
         """When another process had its turn or began, in real ns."""
+        self.replays = False
+        """Whether what was is played again: as fast as it can, whatever speed and pause are meanwhile."""
+        self.waits = False
+        """Whether the world waits for the picture meanwhile."""
         self._steps_to = 0
         """Until then, time goes on although it is paused."""
         self.people: Callable[[], None]
@@ -185,7 +189,7 @@ class Pace(Coordinator):
         if first is None:
             self._rebase()  # time stands still, and doesn't catch up
             return False
-        if self.paused or not self._has_begun:
+        if self.waits or not self._has_begun or (self.paused and not self.replays):
             if self._steps_to <= self._now:
                 self._attend(kernel, self._at_most(None))
             elif NEVER != first <= self._steps_to:
@@ -193,9 +197,9 @@ class Pace(Coordinator):
             else:
                 self._pass_to(self._steps_to)
             return True
-        if first == NEVER and self.speed == float("inf"):
+        if first == NEVER and (self.replays or self.speed == float("inf")):
             return False
-        lag = -float("inf") if first == NEVER else self._lag(first)
+        lag = -float("inf") if first == NEVER else 0.0 if self.replays else self._lag(first)
         if lag < 0:
             self._attend(kernel, self._at_most(None if first == NEVER else -lag / 1e9))
             now = int(self._since[1] + (_real_ns() - self._since[0]) * self.speed)
@@ -250,7 +254,7 @@ class Pace(Coordinator):
         return bool(member.flags & Flag.HOLDS)
 
 
-def install(kernel: PacedKernel, pace: Pace) -> None:
+def install(kernel: PacedKernel, pace: PacedCoordinator) -> None:
     """Give the threads that live in real time real clocks. After all others have been put in place."""
     module: Any = time
     people = kernel.people

@@ -5,14 +5,11 @@ from __future__ import annotations
 import os
 import stat
 import sys
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from contextlib import suppress
 from functools import cache
 from itertools import count
-from typing import TYPE_CHECKING, NoReturn
-
-if TYPE_CHECKING:
-    from day6_core.virtual.paced import Pace
+from typing import NoReturn, Protocol
 
 VARIABLE = "DAY6_TIME"
 """Names the folder of the world. NEW or PACED in a process that is to be the first of one, empty in one that is to be in none."""
@@ -55,7 +52,8 @@ def environment(base: Mapping[str, str], *, paced: bool = False) -> dict[str, st
     env[VARIABLE] = PACED if paced else NEW
     env["DAY6_LINK"] = "local"
     env.setdefault("PYTHONHASHSEED", "0")
-    env["PYTHONPATH"] = os.pathsep.join(filter(None, (_STARTUP, env.get("PYTHONPATH"))))
+    others = [each for each in env.get("PYTHONPATH", "").split(os.pathsep) if each not in ("", _STARTUP)]
+    env["PYTHONPATH"] = os.pathsep.join((_STARTUP, *others))
     return env
 
 
@@ -72,6 +70,41 @@ def begin_anew(argv: list[str], base: Mapping[str, str], *, paced: bool = False)
 
 
 # -- for people ---------------------------------------------------------------------------------------------------------
+
+
+class Pace(Protocol):
+    """How fast time passes, for the threads of people."""
+
+    speed: float
+    """Seconds of the world in a real one; infinity is as fast as it can."""
+    paused: bool
+    replays: bool
+    """Whether what was is played again: as fast as it can, whatever speed and pause are meanwhile."""
+    waits: bool
+    """Whether the world waits for the picture meanwhile."""
+    people: Callable[[], None]
+    """Has the calling thread live in real time."""
+    say: Callable[[str], None] | None
+    """Says a sentence to the person. From any thread, also one that takes no part."""
+
+    @property
+    def now(self) -> int:
+        """The time of the world, ns since it began."""
+
+    def begin(self) -> None:
+        """Let time pass from now on: all that was to be there when the world begins is."""
+
+    def set_speed(self, speed: float) -> None:
+        """Let time pass at this speed from now on."""
+
+    def pause(self) -> None:
+        """Let no time pass until `resume`."""
+
+    def resume(self) -> None:
+        """Let time pass again."""
+
+    def step(self, seconds: float) -> None:
+        """Let so much time pass while it is paused, at once."""
 
 
 pace: Pace | None = None
@@ -140,7 +173,8 @@ def remove(world: str) -> None:
         for name in files:
             os.unlink(os.path.join(path, name))
         for name in folders:
-            os.rmdir(os.path.join(path, name))
+            folder = os.path.join(path, name)
+            (os.unlink if os.path.islink(folder) else os.rmdir)(folder)
     os.rmdir(world)
 
 

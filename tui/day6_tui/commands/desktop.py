@@ -15,6 +15,7 @@ from day6_core.command_line.values import Values
 from day6_core.language import language_of
 from day6_core.lessons.scene import scenes
 from day6_core.ros.distribution import NAMES
+from day6_core.virtual import surroundings
 from day6_tui.appearance import themes
 from day6_tui.commands.table import GROUPS, command_named, commands
 from day6_tui.distribution_choice import KEEPER
@@ -145,7 +146,7 @@ def begin(parser: CommandParser, options: argparse.Namespace, words: list[str]) 
     if not textual_private.supported():
         there, tested = textual_private.version(), textual_private.TESTED
         return _refuse(texts("cli.textual", version=there, tested=tested))
-    if options.record is not None:
+    if options.record is not None and "DAY6_REWIND" not in os.environ:
         options.record = options.record.absolute()
         if (reason := _cannot_be_made(options.record, texts.language)) is not None:
             return _refuse(reason)
@@ -153,6 +154,12 @@ def begin(parser: CommandParser, options: argparse.Namespace, words: list[str]) 
     from day6_tui.options import Options
 
     del options.detach
+    if surroundings.pace is not None:
+        from day6_core.places import default_home
+        from day6_tui.features import rewind
+
+        options.home, options.past = rewind.begin(options.home or default_home())
+        options.record = options.record if options.past is None else None  # it has its film already
     return run(Options(**vars(options), keeper=keeper))
 
 

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from day6_core.lessons.checks import Condition
     from day6_core.lessons.live import Live
     from day6_core.lessons.scene_player import ScenePlayer
-    from day6_core.virtual.paced import Pace
+    from day6_core.virtual.surroundings import Pace
 
 TICK = 1 / 30
 """Seconds of the world between two looks at what a scene does next, in virtual time."""

@@ -34,7 +34,7 @@ def begin() -> None:
         elif is_paced(folder):
             from day6_core.virtual import paced
 
-            kernel, world = paced.PacedKernel(), paced.Pace(path, tell)
+            kernel, world = paced.PacedKernel(), paced.PacedCoordinator(path, tell)
             begin_pace = partial(paced.install, kernel, world)
         else:
             world = Coordinator(path, tell)
