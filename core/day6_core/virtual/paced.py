@@ -138,6 +138,8 @@ class PacedCoordinator(Coordinator):
         """Until then, time goes on although it is paused."""
         self.people: Callable[[], None]
         """Has the calling thread live in real time."""
+        self.sleep_until: Callable[[int], object]
+        """Has the calling thread, which lives in the world's time, wait for a moment, without a look at a clock."""
         self.say: Callable[[str], None] | None = None
         """Says a sentence to the person. From any thread, also one that takes no part."""
 
@@ -269,4 +271,5 @@ def install(kernel: PacedKernel, pace: PacedCoordinator) -> None:
     threads: Any = threading
     threads._time = time.monotonic
     pace.people = kernel.in_real_time
+    pace.sleep_until = lambda moment: kernel.wait(max(0, moment - kernel.now))
     surroundings.pace = pace

@@ -84,6 +84,8 @@ class Pace(Protocol):
     """Whether the world waits for the picture meanwhile."""
     people: Callable[[], None]
     """Has the calling thread live in real time."""
+    sleep_until: Callable[[int], object]
+    """Has the calling thread, which lives in the world's time, wait for a moment, without a look at a clock."""
     say: Callable[[str], None] | None
     """Says a sentence to the person. From any thread, also one that takes no part."""
 

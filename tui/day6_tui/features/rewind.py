@@ -16,8 +16,8 @@ import os
 import shutil
 import stat
 import threading
-import time
 from collections.abc import Callable
+from itertools import groupby
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -38,6 +38,8 @@ MOST_FILES, MOST_BYTES = 5_000, 50_000_000
 """A home folder that is larger isn't copied."""
 SETTLE_SECONDS = 0.05
 """Real time in which the picture follows a key that may have changed more of it than a letter; the world waits for it."""
+LOOK_NS = 1_000_000_000
+"""The world's time between two looks whether the person has stopped it."""
 STOPS = ("ctrl+q", "escape")
 """Keys that are heard while the past is played again."""
 
@@ -220,10 +222,11 @@ class Rewind(Feature):
             except RuntimeError:  # the loop was closed
                 self._stopped = True
 
-        def press_again(written: list[Any]) -> None:
+        def press_again(group: list[list[Any]]) -> None:
             self._follow()
-            press(_read(written))
-            if written[0] != "Key" or len(written[1]) > 1:
+            for written in group:
+                press(_read(written))
+            if any(written[0] != "Key" or len(written[1]) > 1 for written in group):
                 pace.waits = True
                 loop.call_later(SETTLE_SECONDS, end_wait)
 
@@ -231,13 +234,14 @@ class Rewind(Feature):
             pace.waits = False
 
         def play_on() -> None:
-            for at, written in past.events:
-                time.sleep(max(0, at - time.monotonic_ns()) / 1e9)
+            for at, group in groupby(past.events, lambda each: each[0]):
+                while not self._stopped and pace.now < at:
+                    pace.sleep_until(min(at, pace.now + LOOK_NS))
                 if self._stopped:
                     break
-                soon(press_again, written)
-            while not self._stopped and (left := past.until - time.monotonic_ns()) > 0:
-                time.sleep(min(1.0, left / 1e9))
+                soon(press_again, [written for _, written in group])
+            while not self._stopped and pace.now < past.until:
+                pace.sleep_until(min(past.until, pace.now + LOOK_NS))
             soon(self._go_on, pace, past)
 
         threading.Thread(target=play_on, name="day6-replay", daemon=True).start()
