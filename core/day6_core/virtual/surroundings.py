@@ -135,7 +135,7 @@ def own_world() -> str:
         kind, world = world, _make_folder()
         os.environ[VARIABLE] = os.environ["DAY6_RUNTIME_DIR"] = world
         if kind == PACED:
-            os.close(os.open(os.path.join(world, _AT_A_PACE), os.O_CREAT | os.O_CLOEXEC, 0o600))
+            os.close(os.open(os.path.join(world, _AT_A_PACE), os.O_CREAT, 0o600))
     return world
 
 
