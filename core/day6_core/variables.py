@@ -632,6 +632,14 @@ VARIABLES = (
         ),
     ),
     Variable(
+        "DAY6_REWIND",
+        "internal",
+        (
+            "The folder with what a desktop in virtual time plays again (`--virtual-time`).",
+            "虚拟时间里的桌面要重放的内容所在的文件夹（`--virtual-time`）。",
+        ),
+    ),
+    Variable(
         "DAY6_SITE_PACKAGES",
         "internal",
         (

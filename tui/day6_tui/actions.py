@@ -67,6 +67,8 @@ ACTIONS: tuple[DesktopAction, ...] = (
     DesktopAction("faster"),
     DesktopAction("slower"),
     DesktopAction("normal"),
+    DesktopAction("fastest"),
+    DesktopAction("back"),
     DesktopAction("motion"),
     DesktopAction("detach"),
     DesktopAction("class"),

@@ -32,11 +32,14 @@ import asyncio
 from textual import events, on
 from textual.app import ComposeResult
 from textual.binding import Binding
+from textual.message import Message
 from textual.widget import Widget
 
 from day6_core.language import language_of
 from day6_core.session.harmless import one_line
 from day6_core.shell.process.heap import keep_heap_small
+from day6_core.virtual import surroundings
+from day6_core.virtual.surroundings import in_real_time
 from day6_tui import actions
 from day6_tui.appearance.changing import Looks
 from day6_tui.appearance.colours import colours
@@ -65,6 +68,7 @@ from day6_tui.features.guidance import Guidance
 from day6_tui.features.leaving import Leaving
 from day6_tui.features.lessons import LessonAsked, Lessons
 from day6_tui.features.recording import Recording
+from day6_tui.features.rewind import Rewind, begin_again
 from day6_tui.features.saved_desktop import SavedDesktop
 from day6_tui.features.scene_play import ScenePlay
 from day6_tui.features.welcome import WelcomePane
@@ -86,7 +90,7 @@ from day6_tui.terminal_app import TerminalApp
 from day6_tui.terminals.pane import ARROWS, TerminalPane
 from day6_tui.terminals.shown import Terminals
 from day6_tui.textual_private import output
-from day6_tui.textual_private.access import fail, is_leaving
+from day6_tui.textual_private.access import driver_of, fail, is_leaving
 from day6_tui.textual_private.survival import TYPED
 from day6_tui.turns import LASTING_SECONDS, Turns
 from day6_tui.windows import WindowPane
@@ -211,7 +215,7 @@ class Day6App(TerminalApp):
         self.terminals = terminals = Terminals(machine, desktop, notices, look)
         self.parts = parts = Parts(look, settings, machine, desktop, notices, terminals)
         self.switching = Switching(parts)
-        self.scenes = ScenePlay(parts, options.robot, visibly=fps > 0)
+        self.scenes = ScenePlay(parts, options.robot, self._follow_in_world, visibly=fps > 0)
         self.arranging = Arranging(parts)
         self.session = SavedDesktop(parts, self.arranging)
         self.lessons = Lessons(parts, self.arranging, options.lessons)
@@ -224,6 +228,7 @@ class Day6App(TerminalApp):
         detach = self.detachment.detach if self.detachment.is_possible else None
         self.leaving = Leaving(parts, self, detach, class_link.joined if class_link is not None else lambda: 0)
         self.distributions = Distributions(parts, self.leaving, self.session, self._remember, self.exit, options)
+        self.rewind = Rewind(parts, options.past, self._follow_in_world, self.frames.rest, self.exit)
         self.recording = Recording(parts, self, looks, self.leaving.asks)
         self.actions = self._make_actions()
         top = TopLine(
@@ -231,7 +236,7 @@ class Day6App(TerminalApp):
             self.actions,
             doors=options.has_doors,
             recording=self.recording.words,
-            lesson=self.lessons.pieces,
+            lesson=lambda: [*self.rewind.pieces(), *self.lessons.pieces()],
             classroom=self._class_pieces,
             offers=self.classroom.offers,
         )
@@ -253,6 +258,7 @@ class Day6App(TerminalApp):
             self.classroom,
             Guidance(self.parts, registry, self.explaining),
             WorldTime(self.parts),
+            self.rewind,
         ):
             registry.offer(owner.actions())
         registry.offer(
@@ -268,6 +274,8 @@ class Day6App(TerminalApp):
                 "class": self.show_class,
             }
         )
+        if not self.machine.is_virtual:
+            registry.hidden |= {"fastest", "back"}
         if not self.detachment.is_possible:
             registry.hidden.add("detach")
         link = self.class_link
@@ -291,6 +299,7 @@ class Day6App(TerminalApp):
         sys.setswitchinterval(0.001)
         self.frames.attach()
         self._attend_the_end()
+        self._hear_of_time()
         pane = self.terminals.first_pane()
         self.desktop.focus_pane(self.welcome if self.options.scene is None else pane)
         self.call_after_refresh(self._open_desk)
@@ -315,7 +324,10 @@ class Day6App(TerminalApp):
         elif self.session.in_lesson:
             self.lessons.open()
         self.set_interval(SAVE_SECONDS, self.session.save_meanwhile)
-        self.set_timer(LINK_SECONDS, self.machine.open_link)
+        if surroundings.pace is None:
+            self.set_timer(LINK_SECONDS, self.machine.open_link)
+        else:
+            self.machine.open_link()  # at the same moment of the world each time
         if self.options.has_doors:
             self.set_interval(DOOR_SECONDS, self.frames.wake)
         if (endpoint := self.options.listen) and not self.options.secret:
@@ -338,9 +350,26 @@ class Day6App(TerminalApp):
         for pane in self.terminals.panes:
             pane.take_early_keys()
         self.lessons.look_back()
+        if surroundings.pace is not None:
+            surroundings.pace.begin()
+            from day6_tui.textual_private.driver import TerminalDriver
+
+            if isinstance(driver := driver_of(self), TerminalDriver):
+                self.rewind.play(driver.press_again)
         self.frames.wake()
         if not self.frames.rate:
             self.frames.step()
+
+    def _hear_of_time(self) -> None:
+        """Show what virtual time has to say of itself, which would else write over the picture."""
+        if surroundings.pace is not None:
+            loop, context = asyncio.get_running_loop(), contextvars.copy_context()
+
+            def say(text: str) -> None:
+                with contextlib.suppress(RuntimeError):  # the loop was closed
+                    loop.call_soon_threadsafe(self.notices.show, one_line(text), NOTICE_SECONDS, context=context)
+
+            surroundings.pace.say = say
 
     def _tell(self, note: bytes) -> None:
         """Send what this desktop says of itself to all who observe it."""
@@ -504,6 +533,9 @@ class Day6App(TerminalApp):
         self.classroom.observed.has_drawn = True
         super()._write_picture(text)
 
+    def lets_in(self, message: Message) -> bool:
+        return self.rewind.lets_in(message)
+
     # -- frames --------------------------------------------------------------------------------------------------------
 
     def key_read(self) -> None:
@@ -530,6 +562,20 @@ class Day6App(TerminalApp):
         now = time.monotonic()
         if self.frames.untouched_for(now) > LASTING_SECONDS:
             self._turns.rest()
+        self._follow()
+        again = self.session.advance()
+        if surroundings.pace is None:
+            again = self.scenes.advance(now) or again
+        self.recording.advance()
+        if self.detachment.away:
+            self.lessons.begin()
+            return self.notices.expire(now) or again
+        again = self.draw_in_frame(lambda: self._pull_all(now)) or again
+        self.send_pictures()
+        return again
+
+    def _follow(self) -> None:
+        """See what is new on the desk and has to have its place."""
         machine = self.machine
         if machine.desk is not None:
             # Before a scene goes on: what it waits for has its place first.
@@ -542,15 +588,12 @@ class Day6App(TerminalApp):
             self.lessons.follow()
             self.arranging.follow()
             self.distributions.follow()
-        again = self.session.advance()
-        again = self.scenes.advance(now) or again
-        self.recording.advance()
-        if self.detachment.away:
-            self.lessons.begin()
-            return self.notices.expire(now) or again
-        again = self.draw_in_frame(lambda: self._pull_all(now)) or again
-        self.send_pictures()
-        return again
+
+    def _follow_in_world(self) -> None:
+        """The same in virtual time, before a scene goes on: what the world sees of the picture is up to date."""
+        self._follow()
+        for pane in self.desktop.shown():
+            pane.measure()
 
     def _pull_all(self, now: float) -> bool:
         again = False
@@ -701,6 +744,7 @@ class Day6App(TerminalApp):
 
 def run(options: Options) -> int:
     """Open the desktop and return its exit status when the user has left it and every program has ended."""
+    in_real_time()
     keep_heap_small()
     # A frame makes thousands of objects and drops them: looking for circles among them after every 700 costs a tenth of it.
     gc.set_threshold(YOUNG_OBJECTS, *gc.get_threshold()[1:])
@@ -722,6 +766,8 @@ def run(options: Options) -> int:
         app.machine.close()
         ending.over()
     status = ending.status or app.return_code or 0
+    if app.rewind.wanted and not status:
+        begin_again(environ)
     if app.distributions.next and not status:
         return start_again(app.distributions.next, environ, options.keeper)
     return status

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import math
 import shlex
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from day6_core.virtual import surroundings
 from day6_tui.options import Options
 
 if TYPE_CHECKING:
@@ -70,6 +72,9 @@ class Machine:
 
     def close(self) -> None:
         """End every program."""
+        if surroundings.pace is not None:
+            self.set_speed(math.inf)
+            surroundings.pace.resume()
         if self.desk is not None:
             self.desk.scheduler.on_activity = None
             if self._forget is not None:
@@ -148,26 +153,53 @@ class Machine:
     # -- time ----------------------------------------------------------------------------------------------------------
 
     @property
+    def is_virtual(self) -> bool:
+        """Whether speed and pause are those of all programs, also of the user's own."""
+        return surroundings.pace is not None
+
+    @property
     def paused(self) -> bool:
+        if surroundings.pace is not None:
+            return surroundings.pace.paused
         return self.desk is not None and bool(self.desk.clock.paused)
 
     @property
     def speed(self) -> float:
+        """Seconds of the world in a real one; infinity is as fast as it can."""
+        if surroundings.pace is not None:
+            return surroundings.pace.speed
         return float(self.desk.clock.speed) if self.desk is not None else 1.0
 
     def toggle_pause(self) -> None:
         """Pause or resume the world."""
-        if self.desk is not None:
+        if surroundings.pace is not None:
+            (surroundings.pace.resume if self.paused else surroundings.pace.pause)()
+        elif self.desk is not None:
             (self.desk.resume if self.paused else self.desk.pause)()
 
     def change_speed(self, step: int) -> float:
         """Go to the next speed up or down (0: to normal) and return it."""
-        speeds = (0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0)
+        speeds: tuple[float, ...] = (0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0)
+        if surroundings.pace is not None:
+            speeds = (*speeds, math.inf)
         if step:
-            now = min(range(len(speeds)), key=lambda index: abs(speeds[index] - self.speed))
+            now = speeds.index(self.speed) if self.speed in speeds else speeds.index(1.0)
             speed = speeds[max(0, min(len(speeds) - 1, now + step))]
         else:
             speed = 1.0
-        if self.desk is not None:
-            self.desk.set_speed(speed)
+        self.set_speed(speed)
         return speed
+
+    def set_speed(self, speed: float) -> None:
+        """Let time pass at one of the speeds."""
+        if surroundings.pace is not None:
+            surroundings.pace.set_speed(speed)
+        elif self.desk is not None:
+            self.desk.set_speed(speed)
+
+    def step(self, seconds: float) -> None:
+        """Let so much time pass while it is paused."""
+        if surroundings.pace is not None:
+            surroundings.pace.step(seconds)
+        elif self.desk is not None:
+            self.desk.step(seconds)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from day6_core.link.classroom.pupil import Pupil
     from day6_core.link.classroom.teacher import Teacher
+    from day6_tui.features.rewind import Past
 
 
 @dataclass(frozen=True)
@@ -43,6 +44,8 @@ class Options:
     reduced_motion: bool = False
     record: Path | None = None
     """A new file into which the screen is recorded."""
+    past: Past | None = None
+    """What is played again before the person goes on."""
     keeper: int | None = None
     """The descriptor of the line to the keeper that holds the terminal (`--detach`)."""
 

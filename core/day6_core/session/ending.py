@@ -19,6 +19,8 @@ from typing import NamedTuple
 
 from day6_core.inbox import Inbox
 from day6_core.session.cores import Allowance, join
+from day6_core.virtual import surroundings
+from day6_core.virtual.surroundings import in_real_time
 
 RESTORE_SECONDS = 0.5
 """Seconds that restoring the terminal may take at a forced end: a terminal that is stuck cannot be written to."""
@@ -111,6 +113,7 @@ class Ending:
         self.signal_received(number)
 
     def _read(self, reading: int, terminal: int | None) -> None:
+        in_real_time()
         if sys.platform == "win32":
             return
         import select
@@ -144,6 +147,7 @@ class Ending:
             self._orders.put(True)
 
     def _watch(self) -> None:
+        in_real_time()
         if not self._orders.get():
             return
         for step in self._steps:
@@ -171,6 +175,7 @@ class Ending:
             restoring = threading.Thread(target=self.restore_terminal, name="day6-restore-terminal", daemon=True)
             restoring.start()
             join(restoring, RESTORE_SECONDS)
+        surroundings.leave()
         os._exit(self.status or 1)
 
 
@@ -180,4 +185,5 @@ def leave(status: int) -> None:
         sys.stdout.flush()
     except (OSError, ValueError):
         status = status or 1
+    surroundings.leave()
     os._exit(status)

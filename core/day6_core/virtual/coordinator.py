@@ -102,6 +102,10 @@ class Coordinator:
 
     number = 0
     """Of the first process."""
+    _holding = Flag.HOLDS
+    """The flag of a process that holds time still."""
+    _longest_patience = 0.1
+    """Real seconds between two looks at a process that runs."""
 
     def __init__(self, path: str, tell: Callable[[str, str], None], limit: Limit | None = None) -> None:
         outside()  # which is known from here on, whoever removes the link to it
@@ -277,7 +281,9 @@ class Coordinator:
                 if member.is_real or stirred == before:
                     member.is_real = True
                     break
-                patience = min(2 * patience, 0.1)
+                if self._turns_to_people(kernel):
+                    break
+                patience = min(2 * patience, self._longest_patience)
             elif member.socket is None:
                 self._enter(member, ready)
             else:
@@ -415,20 +421,32 @@ class Coordinator:
         """Nobody has anything left to do now: let time pass to the next moment; False if it can't."""
         if self._has_stirred():
             return True
+        first = self._next_moment()
+        if first is None or first == NEVER:
+            return False
+        self._pass_to(first)
+        return True
+
+    def _pass_to(self, moment: int) -> None:
+        self._still_since = -1.0
+        self._advance(moment)
+        self._hear()
+
+    def _next_moment(self) -> int | None:
+        """The first one that somebody waits for, NEVER if nobody does, None if time stands still."""
         first = NEVER
         for each in (self._own, *self._members.values()):
             if each.is_stopped:
                 continue
-            if each.flags & Flag.HOLDS or (each.is_real and self._holds(each)):
-                return False
+            if each.flags & self._holding or (each.is_real and self._holds(each)):
+                return None
             if each.deadline != NEVER and (first == NEVER or each.deadline < first):
                 first = each.deadline
-        if first == NEVER:
-            return False
-        self._still_since = -1.0
-        self._advance(first)
-        self._hear()
-        return True
+        return first
+
+    def _turns_to_people(self, kernel: Kernel) -> bool:
+        """Whether the first process goes on for something real while another one runs."""
+        return False
 
     def _has_stirred(self) -> bool:
         """Whether something real has gone on, so that others may find something in their descriptors."""
@@ -455,10 +473,25 @@ class Coordinator:
 
     def _wait(self, kernel: Kernel) -> None:
         """Wait for something real."""
+        real = self._limit is not None or any(each.is_real for each in self._members.values())
+        ready = self._attend(kernel, PATIENCE if real else TOLD_AFTER)
+        if not ready and self._still_since < 0:
+            self._still_since = real_time()
+            for each in self._members.values():
+                each.used = processes.used(each.pid)
+        if ready:
+            self._still_since = -1.0
+        elif not real or real_time() - self._still_since > TOLD_AFTER:
+            self._say_why()
+            if not real:
+                self._attend(kernel, None)
+
+    def _attend(self, kernel: Kernel, seconds: float | None) -> bool:
+        """Wait for something from outside, at most for real seconds, and take it; False if nothing came."""
         poll = _poll()
         by_fd: dict[int, _Process] = {}
         for member in self._members.values():
-            if member.is_idle:
+            if member.is_idle and self._hears_alone(member):
                 self._tell_member(member, packed(Kind.SLEEP, 0, 0, 0))
             if member.socket is not None:
                 by_fd[member.socket.fileno()] = member
@@ -468,17 +501,7 @@ class Coordinator:
         for watch in kernel.watched:
             for fd, events in watch.fds:
                 poll.register(fd, events)
-        real = self._limit is not None or any(each.is_real for each in self._members.values())
-        ready = [fd for fd, _ in poll.poll(1000 * (PATIENCE if real else TOLD_AFTER))]
-        if not ready and self._still_since < 0:
-            self._still_since = real_time()
-            for each in self._members.values():
-                each.used = processes.used(each.pid)
-        if ready:
-            self._still_since = -1.0
-        elif not real or real_time() - self._still_since > TOLD_AFTER:
-            self._say_why()
-            ready = [] if real else [fd for fd, _ in poll.poll()]
+        ready = [fd for fd, _ in poll.poll(None if seconds is None else 1000 * seconds)]
         if self._woken in ready:
             _read(self._woken, 4096)
         for fd in ready:
@@ -492,6 +515,11 @@ class Coordinator:
         if self._listener.fileno() in ready:
             self._enter(None, ready)
         self._own.touched = True
+        return bool(ready)
+
+    def _hears_alone(self, member: _Process) -> bool:
+        """Whether a process that is idle has to look at its own descriptors."""
+        return True
 
     # -- what is said ------------------------------------------------------------------------------------------------------
 

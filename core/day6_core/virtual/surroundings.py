@@ -5,21 +5,25 @@ from __future__ import annotations
 import os
 import stat
 import sys
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from contextlib import suppress
 from functools import cache
 from itertools import count
-from typing import NoReturn
+from typing import NoReturn, Protocol
 
 VARIABLE = "DAY6_TIME"
-"""Names the folder of the world; NEW in a process that is to be the first of one, and empty in one that is to be in none."""
+"""Names the folder of the world. NEW or PACED in a process that is to be the first of one, empty in one that is to be in none."""
 NEW = "new"
+PACED = "paced"
+"""The new world is one at a pace: a person takes part."""
 
 NOBODY = "nobody"
 """In place of what comes from outside: nobody is there to be told anything, either."""
 
 _PREFIX = "day6-time-"
 _OUTSIDE = "outside"
+_AT_A_PACE = "paced"
+"""A file in its folder."""
 _LONGEST_PLACE = 36
 """Bytes of the folder in which worlds are made: their sockets have paths of 100 bytes at most."""
 _STARTUP = os.path.join(os.path.dirname(__file__), "startup")
@@ -49,8 +53,10 @@ def is_due(*, real_time: bool) -> bool:
     return is_there() and not is_virtual() and not real_time
 
 
-def environment(base: Mapping[str, str], world: str = "") -> dict[str, str]:
-    """Return the variables for a program of Python that is the first of a new world: `world` is its folder, if that is made.
+def environment(base: Mapping[str, str], world: str = "", *, paced: bool = False) -> dict[str, str]:
+    """Return the variables for a program of Python that is the first of a new world, in which people take part if `paced`.
+
+    `world` is its folder, if that is made.
 
     Raises:
         NotHere: on systems other than Linux.
@@ -58,25 +64,82 @@ def environment(base: Mapping[str, str], world: str = "") -> dict[str, str]:
     if not is_there():
         raise NotHere
     env = dict(base)
-    env[VARIABLE] = world or NEW
+    env[VARIABLE] = world or (PACED if paced else NEW)
     if world:
         env["DAY6_RUNTIME_DIR"] = world
     env["DAY6_LINK"] = "local"
     env.setdefault("PYTHONHASHSEED", "0")
-    env["PYTHONPATH"] = os.pathsep.join(filter(None, (_STARTUP, env.get("PYTHONPATH"))))
+    others = [each for each in env.get("PYTHONPATH", "").split(os.pathsep) if each not in ("", _STARTUP)]
+    env["PYTHONPATH"] = os.pathsep.join((_STARTUP, *others))
     return env
 
 
-def begin_anew(argv: list[str], base: Mapping[str, str]) -> NoReturn:
-    """Become a program of Python that is the first of a new world.
+def begin_anew(argv: list[str], base: Mapping[str, str], *, paced: bool = False) -> NoReturn:
+    """Become a program of Python that is the first of a new world, in which people take part if `paced`.
 
     Raises:
         NotHere: on systems other than Linux.
         OSError: the program can't be started.
     """
-    env = environment(base)
+    env = environment(base, paced=paced)
     sys.stdout.flush()
     os.execve(sys.executable, argv, env)
+
+
+# -- for people ---------------------------------------------------------------------------------------------------------
+
+
+class Pace(Protocol):
+    """How fast time passes, for the threads of people."""
+
+    speed: float
+    """Seconds of the world in a real one; infinity is as fast as it can."""
+    paused: bool
+    replays: bool
+    """Whether what was is played again: as fast as it can, whatever speed and pause are meanwhile."""
+    waits: bool
+    """Whether the world waits for the picture meanwhile."""
+    people: Callable[[], None]
+    """Has the calling thread live in real time."""
+    sleep_until: Callable[[int], object]
+    """Has the calling thread, which lives in the world's time, wait for a moment, without a look at a clock."""
+    say: Callable[[str], None] | None
+    """Says a sentence to the person. From any thread, also one that takes no part."""
+
+    @property
+    def now(self) -> int:
+        """The time of the world, ns since it began."""
+
+    def begin(self) -> None:
+        """Let time pass from now on: all that was to be there when the world begins is."""
+
+    def set_speed(self, speed: float) -> None:
+        """Let time pass at this speed from now on."""
+
+    def pause(self) -> None:
+        """Let no time pass until `resume`."""
+
+    def resume(self) -> None:
+        """Let time pass again."""
+
+    def step(self, seconds: float) -> None:
+        """Let so much time pass while it is paused, at once."""
+
+
+pace: Pace | None = None
+"""Of this process's world, where it is the first one of a world in which people take part."""
+
+
+def in_real_time() -> None:
+    """The calling thread draws for a person or takes keys, and lives in real time, also where this process's is virtual."""
+    if pace is not None:
+        pace.people()
+
+
+def leave() -> None:
+    """This process, which is about to end without Python's own end, leaves nothing of its world."""
+    if pace is not None:
+        remove(os.environ[VARIABLE])
 
 
 # -- the folder of a world ---------------------------------------------------------------------------------------------
@@ -85,8 +148,11 @@ def begin_anew(argv: list[str], base: Mapping[str, str]) -> NoReturn:
 def own_world() -> str:
     """Return the folder of this process's world; made, if it is the first. Raises OSError."""
     world = os.environ[VARIABLE]
-    if world == NEW:
-        world = os.environ[VARIABLE] = os.environ["DAY6_RUNTIME_DIR"] = _make_folder()
+    if world in (NEW, PACED):
+        kind, world = world, _make_folder()
+        os.environ[VARIABLE] = os.environ["DAY6_RUNTIME_DIR"] = world
+        if kind == PACED:
+            os.close(os.open(os.path.join(world, _AT_A_PACE), os.O_CREAT, 0o600))
     return world
 
 
@@ -98,6 +164,11 @@ def socket_of(world: str) -> str:
 def is_first(world: str) -> bool:
     """Return whether this is the process that has the coordinator."""
     return _first_of(world) == str(os.getpid())
+
+
+def is_paced(world: str) -> bool:
+    """Return whether people take part in a world."""
+    return os.path.exists(os.path.join(world, _AT_A_PACE))
 
 
 @cache
@@ -121,7 +192,8 @@ def remove(world: str) -> None:
         for name in files:
             os.unlink(os.path.join(path, name))
         for name in folders:
-            os.rmdir(os.path.join(path, name))
+            folder = os.path.join(path, name)
+            (os.unlink if os.path.islink(folder) else os.rmdir)(folder)
     os.rmdir(world)
 
 
@@ -133,7 +205,7 @@ def _make_folder() -> str:
     for name in os.listdir(place):
         if name.startswith(_PREFIX) and not os.path.exists(f"/proc/{_first_of(name)}"):
             with suppress(OSError):
-                _remove_own(os.path.join(place, name))
+                remove_left(os.path.join(place, name))
     for number in count():
         world = os.path.join(place, f"{_PREFIX}{os.getpid()}-{number}")
         with suppress(FileExistsError):
@@ -151,10 +223,11 @@ def make_world(world: str, outside: str = NOBODY) -> None:
     os.symlink(outside or "nothing", os.path.join(world, _OUTSIDE))
 
 
-def _remove_own(world: str) -> None:
-    """Remove a folder that nobody else can have put there: one of this user's, and no link."""
+def remove_left(world: str) -> None:
+    """Remove what is left of a world, if its folder is one by its name, and nobody else can have put it there. Raises OSError."""
     status = os.lstat(world)
-    if stat.S_ISDIR(status.st_mode) and sys.platform != "win32" and status.st_uid == os.getuid():
+    is_own = sys.platform != "win32" and status.st_uid == os.getuid()
+    if os.path.basename(world).startswith(_PREFIX) and stat.S_ISDIR(status.st_mode) and is_own:
         remove(world)
 
 

@@ -6,6 +6,7 @@ import os
 import sys
 
 from day6_core.language import language_of
+from day6_core.virtual import surroundings
 
 TOLD_AFTER = 2.0
 """Real seconds for which time stands still before that is said."""
@@ -42,9 +43,12 @@ def is_waiting(before: Used, now: Used) -> bool:
 
 
 def tell(kind: str, what: str) -> None:
-    """Write one line on standard error."""
+    """Write one line on standard error, or have the desktop say it if this is its process."""
     language = language_of(os.environ)
     colon = {"en": ": ", "zh": "："}[language]
     text = _TEXTS[language][kind].format(what=what)
+    if surroundings.pace is not None and (say := surroundings.pace.say) is not None:
+        say(text)
+        return
     sys.stderr.write(f"day6-tui{colon}{text}\n")
     sys.stderr.flush()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 
 from day6_tui.actions import Actions
@@ -98,7 +99,8 @@ class TopLine(Feature):
         colours, glyphs = self._look.colours, self._look.glyphs
         mark = glyphs.paused if machine.paused else glyphs.running
         times = "×" if glyphs.unicode else "x"
-        speed = texts("bar.paused") if machine.paused else f"{machine.speed:g}{times}"
+        pace = texts("bar.fastest") if machine.speed == math.inf else f"{machine.speed:g}{times}"
+        speed = texts("bar.paused") if machine.paused else pace
         time_style = colours.hint if machine.paused else colours.bar
         language = f" {texts('bar.language')} " if self._look.chinese else ""
         return [

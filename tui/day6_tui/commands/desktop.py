@@ -15,6 +15,7 @@ from day6_core.command_line.values import Values
 from day6_core.language import language_of
 from day6_core.lessons.scene import scenes
 from day6_core.ros.distribution import NAMES
+from day6_core.virtual import surroundings
 from day6_tui.appearance import themes
 from day6_tui.commands.table import GROUPS, command_named, commands
 from day6_tui.distribution_choice import KEEPER
@@ -30,6 +31,7 @@ def build_parser(language: str = "en") -> CommandParser:
     parser.used_as("[OPTION ...]", "COMMAND [ARG ...]")
     parser.epilog = _command_list(texts)
     add_options(parser)
+    parser.add_argument("--virtual-time", action="store_true", help=texts("cli.desktop.virtual_time"))
     return parser
 
 
@@ -105,7 +107,24 @@ def main(words: list[str]) -> int:
         parser.error(parser.texts("cli.error.command.behind", name=rest[0]))
     if rest:
         parser.refuse_unknown(rest)
+    virtual = options.virtual_time
+    del options.virtual_time
+    if virtual and (status := _enter_virtual_time(parser, options)) is not None:
+        return status
     return begin(parser, options, words)
+
+
+def _enter_virtual_time(parser: CommandParser, options: argparse.Namespace) -> int | None:
+    """Become the first process of a world in virtual time; None if this is it already, else the status where it can't be."""
+    from day6_core.shell.outward.fast import begin_anew_or_say
+    from day6_core.virtual.surroundings import is_virtual
+
+    for other in ("detach", "listen", "connect"):
+        if getattr(options, other):
+            parser.refuse("--virtual-time", parser.texts("cli.error.not_with", other=f"--{other}"))
+    if is_virtual() or not (sys.stdin.isatty() and sys.stderr.isatty()):
+        return None
+    return begin_anew_or_say(parser, sys.orig_argv, os.environ, paced=True)
 
 
 def begin(parser: CommandParser, options: argparse.Namespace, words: list[str]) -> int:
@@ -127,7 +146,7 @@ def begin(parser: CommandParser, options: argparse.Namespace, words: list[str]) 
     if not textual_private.supported():
         there, tested = textual_private.version(), textual_private.TESTED
         return _refuse(texts("cli.textual", version=there, tested=tested))
-    if options.record is not None:
+    if options.record is not None and "DAY6_REWIND" not in os.environ:
         options.record = options.record.absolute()
         if (reason := _cannot_be_made(options.record, texts.language)) is not None:
             return _refuse(reason)
@@ -135,6 +154,12 @@ def begin(parser: CommandParser, options: argparse.Namespace, words: list[str]) 
     from day6_tui.options import Options
 
     del options.detach
+    if surroundings.pace is not None:
+        from day6_core.places import default_home
+        from day6_tui.features import rewind
+
+        options.home, options.past = rewind.begin(options.home or default_home())
+        options.record = options.record if options.past is None else None  # it has its film already
     return run(Options(**vars(options), keeper=keeper))
 
 

@@ -9,7 +9,9 @@ from typing import TYPE_CHECKING, Any
 
 from day6_core.lessons.player import Steering
 from day6_core.lessons.scene import below, scenes
+from day6_core.virtual import surroundings
 from day6_tui.actions import Handlers
+from day6_tui.features import world_ticks
 from day6_tui.parts import Feature, Parts
 from day6_tui.terminals.pane import TerminalPane
 from day6_tui.terminals.view import TerminalView
@@ -18,13 +20,19 @@ if TYPE_CHECKING:
     from day6_core.lessons.checks import Condition
     from day6_core.lessons.live import Live
     from day6_core.lessons.scene_player import ScenePlayer
+    from day6_core.virtual.surroundings import Pace
+
+TICK = 1 / 30
+"""Seconds of the world between two looks at what a scene does next, in virtual time."""
 
 
 class ScenePlay(Feature):
     """Plays one scene at a time in the terminals (it is the player's `scene_player.Place`)."""
 
-    def __init__(self, parts: Parts, robot: str | None, *, visibly: bool = True) -> None:
+    def __init__(self, parts: Parts, robot: str | None, follow: Callable[[], None], *, visibly: bool = True) -> None:
         super().__init__(parts)
+        self._follow = follow
+        """Gives what is new its place."""
         self._robot = robot
         self._held = parts.terminals.held
         self._visibly = visibly
@@ -69,9 +77,18 @@ class ScenePlay(Feature):
             self._desktop.focus_pane(pane)
         if actions:
             self.steering.begin(seen=self._visibly and not self._look.reduced_motion)
+            is_first = self.player is None
             self.player = ScenePlayer(actions, self, self.steering)
             self._held.begin()
+            if surroundings.pace is not None and is_first:
+                world_ticks.each(TICK, partial(self._advance_in_world, surroundings.pace))
         self._look.wake()
+
+    def _advance_in_world(self, pace: Pace) -> bool:
+        self._follow()
+        self.advance(pace.now / 1e9)
+        self._look.wake()
+        return self.player is not None
 
     # -- steering ------------------------------------------------------------------------------------------------------
 

@@ -15,8 +15,10 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from textual import events
+from textual.message import Message
 
 from day6_core.reason import fault
+from day6_core.virtual.surroundings import in_real_time
 
 try:
     from textual.drivers.linux_driver import LinuxDriver
@@ -129,6 +131,7 @@ class TerminalDriver(LinuxDriver):
         self._sigcont_application()
 
     def _run_input_thread(self) -> None:
+        in_real_time()
         try:
             self.run_input_thread()
         except Exception as error:
@@ -186,6 +189,14 @@ class TerminalDriver(LinuxDriver):
             self.process_message(message)
         for message in parser.tick():
             self.process_message(message)
+
+    def process_message(self, message: Message) -> None:
+        if self._hooked is None or self._hooked.lets_in(message):
+            super().process_message(message)
+
+    def press_again(self, message: Message) -> None:
+        """Take something as if the terminal had sent it."""
+        super().process_message(message)
 
     def _is_for_line(self, answer: str) -> bool:
         """Whether it was the line that asked."""

@@ -9,6 +9,7 @@ from textual import events
 from textual._compositor import CompositorUpdate
 from textual.app import App
 from textual.geometry import Region
+from textual.message import Message
 from textual.screen import ModalScreen
 
 from day6_tui.screen.line import Line
@@ -36,6 +37,10 @@ class HookedApp(App[None]):
 
     def key_read(self) -> None:
         """Called when a key has been read and is about to be posted, in the thread that reads the terminal."""
+
+    def lets_in(self, message: Message) -> bool:
+        """Whether what the terminal sent is taken; called in the thread that reads it."""
+        return True
 
     def heard(self) -> None:
         """Called when the terminal has told how far it has read, in the thread that reads it."""

@@ -24,6 +24,8 @@ from textual._ansi_sequences import SYNC_END, SYNC_START
 from textual.drivers._writer_thread import WriterThread
 
 from day6_core.session.cores import join
+from day6_core.virtual import surroundings
+from day6_core.virtual.surroundings import in_real_time
 
 _log = logging.getLogger(__name__)
 
@@ -39,6 +41,8 @@ class Leaky:
     def __init__(self, file: IO[str]) -> None:
         self._file = file
         self._fd = _descriptor(file)
+        if self._fd is not None and surroundings.pace is not None:  # no thread may wait in earnest there
+            self._fd = _second_descriptor(self._fd) or self._fd
         self._encoding: str = getattr(file, "encoding", None) or "utf-8"
         self._held = bytearray()
         self.taken = 0
@@ -214,6 +218,7 @@ def _init(self: WriterThread, file: IO[str]) -> None:
 
 
 def _run(self: WriterThread) -> None:
+    in_real_time()
     file, shortcut = self._file, _shortcuts[self]
     assert isinstance(file, Leaky)
     written = 0

@@ -1,4 +1,4 @@
-"""`--fast`: a command and all that it starts, in virtual time."""
+"""`--fast` and `--virtual-time`: a command and all that it starts, in virtual time."""
 
 from __future__ import annotations
 
@@ -10,16 +10,16 @@ if TYPE_CHECKING:
     from day6_core.command_line.parser import CommandParser
 
 
-def begin_anew_or_say(parser: CommandParser, argv: list[str], env: Mapping[str, str]) -> int:
+def begin_anew_or_say(parser: CommandParser, argv: list[str], env: Mapping[str, str], *, paced: bool = False) -> int:
     """Become a program in virtual time; where that can't be, say why and return the exit status."""
     from day6_core.reason import reason
     from day6_core.virtual.surroundings import NotHere, begin_anew
 
     try:
-        begin_anew(argv, env)
+        begin_anew(argv, env, paced=paced)
     except NotHere:
         why = parser.texts("cli.fast.not.here")
     except OSError as error:
         why = reason(error)
-    print(f"{parser.prog}: --fast: {why}", file=sys.stderr)
+    print(f"{parser.prog}: {'--virtual-time' if paced else '--fast'}: {why}", file=sys.stderr)
     return 1

@@ -10,13 +10,14 @@ if sys.platform != "linux":
 import atexit
 import os
 from collections.abc import Callable
+from functools import partial
 
 from day6_core.virtual.coordinator import Coordinator
 from day6_core.virtual.follow import chance, children, clocks, descriptors, locks, signals, threads, tracebacks
 from day6_core.virtual.kernel import FOR_EVER_NS, Kernel
 from day6_core.virtual.limit import Limit
 from day6_core.virtual.member import Member
-from day6_core.virtual.surroundings import NOBODY, VARIABLE, is_first, outside, own_world, remove, socket_of
+from day6_core.virtual.surroundings import NOBODY, VARIABLE, is_first, is_paced, outside, own_world, remove, socket_of
 from day6_core.virtual.told import tell
 from day6_core.virtual.watchdog import watch
 
@@ -27,17 +28,24 @@ class _Place:
     def __init__(self) -> None:
         self.kernel = Kernel()
         self.world: Coordinator | Member
+        self._begin_pace: Callable[[], None] = _nothing
 
     def enter(self, limit: float | None = None) -> None:
         """Take part in the world that the environment names. Raises OSError."""
         folder = own_world()
         path = socket_of(folder)
-        if is_first(folder):
-            self.world = Coordinator(path, tell, None if limit is None else Limit(limit))
-            atexit.register(_remove, folder)
-        else:
+        if not is_first(folder):
             self.world = Member(path)
             self.world.enter(self.kernel)
+        elif is_paced(folder):
+            from day6_core.virtual import paced
+
+            self.kernel, self.world = paced.PacedKernel(), paced.PacedCoordinator(path, tell)
+            self._begin_pace = partial(paced.install, self.kernel, self.world)
+        else:
+            self.world = Coordinator(path, tell, None if limit is None else Limit(limit))
+        if isinstance(self.world, Coordinator):
+            atexit.register(_remove, folder)
         self.kernel.world = self.world
         if outside() != NOBODY:
             watch(self.kernel, tell)
@@ -66,6 +74,11 @@ class _Place:
         signals.install(self.kernel)
         tracebacks.install()
         chance.install(lambda: self.world.number if hasattr(self, "world") else Coordinator.number)
+        self._begin_pace()
+
+
+def _nothing() -> None:
+    pass
 
 
 def begin() -> None:

@@ -90,7 +90,7 @@ class Lock:
         while True:
             waiting.append(mine)
             try:
-                kernel.wait(None if end is None else end - kernel.now)
+                in_time = kernel.wait(None if end is None else end - kernel.now)
             except BaseException:  # of a handler of a signal
                 if not self._locked and mine not in waiting and waiting:
                     kernel.wake(waiting.popleft())  # it was this one's turn
@@ -101,7 +101,7 @@ class Lock:
             if not self._locked:
                 self._locked = True
                 return True
-            if end is not None and kernel.now >= end:
+            if not in_time:
                 return False
 
     def _at_fork_reinit(self) -> None:
