@@ -203,9 +203,10 @@ def _make_folder() -> str:
     if len(os.fsencode(place)) > _LONGEST_PLACE:
         place = "/tmp"
     for name in os.listdir(place):
-        if name.startswith(_PREFIX) and not os.path.exists(f"/proc/{_first_of(name)}"):
+        world = os.path.join(place, name)
+        if is_left(world) and not os.path.exists(f"/proc/{_first_of(name)}"):
             with suppress(OSError):
-                remove_left(os.path.join(place, name))
+                remove(world)
     for number in count():
         world = os.path.join(place, f"{_PREFIX}{os.getpid()}-{number}")
         with suppress(FileExistsError):
@@ -223,12 +224,15 @@ def make_world(world: str, outside: str = NOBODY) -> None:
     os.symlink(outside or "nothing", os.path.join(world, _OUTSIDE))
 
 
-def remove_left(world: str) -> None:
-    """Remove what is left of a world, if its folder is one by its name, and nobody else can have put it there. Raises OSError."""
-    status = os.lstat(world)
-    is_own = sys.platform != "win32" and status.st_uid == os.getuid()
-    if os.path.basename(world).startswith(_PREFIX) and stat.S_ISDIR(status.st_mode) and is_own:
-        remove(world)
+def is_left(world: str) -> bool:
+    """Return whether a folder is one of a world by its name, and nobody else can have put it there."""
+    if not os.path.basename(world).startswith(_PREFIX):
+        return False
+    try:
+        status = os.lstat(world)
+    except OSError:
+        return False
+    return stat.S_ISDIR(status.st_mode) and sys.platform != "win32" and status.st_uid == os.getuid()
 
 
 def _first_of(world: str) -> str:

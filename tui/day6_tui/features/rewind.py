@@ -76,13 +76,13 @@ def begin(home: Path) -> tuple[Path, Past | None]:
         return home, None
     kept = _kept()
     before = Path(os.environ.pop(_VARIABLE, ""))
-    if before.name != _FOLDER or not (before / _JOURNAL).is_file():
+    if before.name != _FOLDER or not surroundings.is_left(str(before.parent)):
         kept.mkdir()
         if _is_small(home):
             _copy(home, kept / _FIRST)
         return home, None
     os.rename(before, kept)
-    surroundings.remove_left(str(before.parent))
+    surroundings.remove(str(before.parent))
     shutil.rmtree(kept / _COPY, ignore_errors=True)
     _copy(kept / _FIRST, kept / _COPY)
     told = json.loads((kept / _JOURNAL).read_text(encoding="utf-8"))

@@ -251,7 +251,7 @@ def _let_arrive(fd: int) -> None:
     import fcntl
 
     try:
-        inside = fcntl.ioctl(fd, _TIOCGPTPEER, os.O_RDWR | os.O_NOCTTY)
+        inside = fcntl.ioctl(fd, _TIOCGPTPEER, os.O_RDONLY | os.O_NOCTTY)
     except OSError:
         return  # this is the inside
     is_ready(inside, select.POLLIN)  # waits for that thread
