@@ -5,6 +5,8 @@ from __future__ import annotations
 import sys
 import threading
 from collections.abc import Callable
+from types import FrameType
+from typing import Any
 
 import pytest
 
@@ -127,6 +129,31 @@ def test_a_lock_refuses_what_pythons_refuses(kernel: Kernel, timeout: float) -> 
         locks.Lock().release()
     with pytest.raises(RuntimeError, match="cannot release un-acquired lock"):
         locks.RLock().release()
+
+
+def test_a_lock_is_taken_again_by_what_interrupts_its_taking_or_letting_go(kernel: Kernel) -> None:
+    """As the end of an object that Python clears away at any line."""
+    lock, others = locks.RLock(), locks.RLock()
+    lines = 0
+
+    def interrupt(frame: FrameType, event: str, _: object) -> Callable[..., Any] | None:
+        nonlocal lines
+        if frame.f_code.co_filename != locks.__file__ or frame.f_locals.get("self") is not lock:
+            return None
+        lines += 1
+        sys.settrace(None)
+        assert lock.acquire(timeout=1)
+        lock.release()
+        sys.settrace(interrupt)
+        return interrupt
+
+    sys.settrace(interrupt)
+    try:
+        with lock, lock:
+            others.acquire()
+    finally:
+        sys.settrace(None)
+    assert (lines > 10, lock.locked(), others.locked(), kernel.now) == (True, False, True, 0)
 
 
 def test_a_condition_works_with_these_locks(kernel: Kernel, monkeypatch: pytest.MonkeyPatch) -> None:

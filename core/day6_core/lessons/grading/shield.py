@@ -11,6 +11,7 @@ from __future__ import annotations
 import contextlib
 import ctypes
 import os
+import select
 import signal
 import struct
 import sys
@@ -23,6 +24,7 @@ from typing import Any
 from day6_core.guardian import MARK
 from day6_core.reason import named_reason
 from day6_core.system.processes import descendants, marked, own_memory, processes, stat_fields
+from day6_core.virtual.surroundings import is_there
 
 MOST_PROCESSES = 120
 MOST_MEMORY = 2 * 2**30
@@ -33,7 +35,8 @@ LARGEST_FILE = 64 * 2**20
 LOOK_SECONDS = 0.15
 
 _fork: Any = getattr(os, "fork", None)  # not on Windows
-_waitpid, _kill, _open, _monotonic, _sleep = os.waitpid, os.kill, open, time.monotonic, time.sleep
+_waitpid, _kill, _open, _select = os.waitpid, os.kill, open, select.select
+_monotonic, _sleep = time.monotonic, time.sleep
 """For what the warden does: it goes by the real time, although its judges may be in another; see there."""
 
 _NEW_USER, _NEW_NS, _NEW_PID, _NEW_NET, _NEW_IPC = 0x10000000, 0x00020000, 0x20000000, 0x40000000, 0x08000000
@@ -226,8 +229,17 @@ def watch(
         runs = any(is_ready for is_ready, _ in now.values())
         left -= min(took, sum(ran.values())) if own_seconds and runs else took
         before = now
-        _sleep(LOOK_SECONDS)
+        _sleep_beside(child, LOOK_SECONDS)
         late(max(0.0, _monotonic() - looked - LOOK_SECONDS, *waited))
+
+
+def _sleep_beside(child: int, seconds: float) -> None:
+    """Sleep, but not when a child has ended, where the system tells of that."""
+    if sys.platform == "linux" and is_there():
+        with _open(os.pidfd_open(child), "rb") as end:
+            _select([end], [], [], seconds)
+    else:
+        _sleep(seconds)
 
 
 def all_processes() -> list[int]:

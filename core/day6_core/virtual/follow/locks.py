@@ -50,29 +50,33 @@ class Lock:
     __slots__ = ("__weakref__", "_locked", "_waiting")
 
     def __init__(self) -> None:
-        self._locked = False
+        self._locked = 0
+        """Or whatever else tells that it is taken."""
         self._waiting: deque[Wait] | None = None
 
     def acquire(self, blocking: bool = True, timeout: float = -1) -> bool:
         """Take it; False if that isn't possible in time."""
         if timeout != -1 and (not blocking or not 0 <= timeout <= TIMEOUT_MAX):
             _allocate_lock().acquire(blocking, timeout)  # says in the words of this Python what is wrong
+        return self._take(1, blocking, timeout)
+
+    def _take(self, owner: int, blocking: bool, timeout: float) -> bool:
         if not self._locked:
-            self._locked = True
+            self._locked = owner
             return True
-        return bool(blocking) and self._wait(None if timeout == -1 else int(timeout * 1e9))
+        return bool(blocking) and self._wait(None if timeout == -1 else int(timeout * 1e9), owner)
 
     def release(self) -> None:
         """Let it go; any thread may."""
         if not self._locked:
             raise RuntimeError("release unlocked lock")
-        self._locked = False
+        self._locked = 0
         if self._waiting:
             _kernel.wake(self._waiting.popleft())
 
     def locked(self) -> bool:
         """Whether it is taken."""
-        return self._locked
+        return bool(self._locked)
 
     acquire_lock, release_lock, locked_lock = acquire, release, locked
     __enter__ = acquire
@@ -80,7 +84,7 @@ class Lock:
     def __exit__(self, *_: object) -> None:
         self.release()
 
-    def _wait(self, ns: int | None) -> bool:
+    def _wait(self, ns: int | None, owner: int) -> bool:
         kernel = _kernel
         end = None if ns is None else kernel.now + ns
         waiting = self._waiting
@@ -99,13 +103,13 @@ class Lock:
                 if mine in waiting:
                     waiting.remove(mine)
             if not self._locked:
-                self._locked = True
+                self._locked = owner
                 return True
             if not in_time:
                 return False
 
     def _at_fork_reinit(self) -> None:
-        self._locked = False
+        self._locked = 0
         self._waiting = None
 
     def __repr__(self) -> str:
@@ -113,69 +117,64 @@ class Lock:
         return f"<{state} _thread.lock object at {id(self):#x}>"
 
 
-class RLock:
-    """As `_thread.RLock`."""
+class RLock(Lock):
+    """As `_thread.RLock`. `_locked` is the thread that has it.
 
-    __slots__ = ("__weakref__", "_count", "_lock", "_owner")
+    It changes hands in one step, as anything here may be interrupted by what takes it, too: a handler of a signal, or the end of
+    an object that Python clears away.
+    """
+
+    __slots__ = ("_again",)
 
     def __init__(self) -> None:
-        self._lock = Lock()
-        self._owner: int | None = None
-        self._count = 0
+        super().__init__()
+        self._again = 0
+        """How often more than once."""
 
     def acquire(self, blocking: bool = True, timeout: float = -1) -> bool:
         """Take it, once more if the calling thread has it; False if that isn't possible in time."""
         me = _get_ident()
-        if self._owner == me:
-            self._count += 1
+        if self._locked == me:
+            self._again += 1
             return True
-        if self._lock.acquire(blocking, timeout):
-            self._owner, self._count = me, 1
-            return True
-        return False
+        if timeout != -1 and (not blocking or not 0 <= timeout <= TIMEOUT_MAX):
+            _allocate_lock().acquire(blocking, timeout)
+        return self._take(me, blocking, timeout)
 
     def release(self) -> None:
         """Let it go as often as it was taken."""
-        if self._owner != _get_ident():
+        if self._locked != _get_ident():
             raise RuntimeError("cannot release un-acquired lock")
-        self._count -= 1
-        if not self._count:
-            self._owner = None
-            self._lock.release()
+        if self._again:
+            self._again -= 1
+        else:
+            Lock.release(self)
 
     __enter__ = acquire
-
-    def __exit__(self, *_: object) -> None:
-        self.release()
-
-    def locked(self) -> bool:
-        """Whether a thread has it."""
-        return self._count > 0
 
     # -- for threading.Condition -----------------------------------------------------------------------------------------
 
     def _is_owned(self) -> bool:
-        return self._owner == _get_ident()
+        return self._locked == _get_ident()
 
     def _recursion_count(self) -> int:
-        return self._count if self._owner == _get_ident() else 0
+        return self._again + 1 if self._is_owned() else 0
 
-    def _release_save(self) -> tuple[int, int | None]:
-        if not self._count:
+    def _release_save(self) -> int:
+        if not self._locked:
             raise RuntimeError("cannot release un-acquired lock")
-        state = self._count, self._owner
-        self._count, self._owner = 0, None
-        self._lock.release()
-        return state
+        again, self._again = self._again, 0
+        Lock.release(self)
+        return again
 
-    def _acquire_restore(self, state: tuple[int, int | None]) -> None:
-        self._lock.acquire()
-        self._count, self._owner = state
+    def _acquire_restore(self, again: int) -> None:
+        self.acquire()
+        self._again = again
 
     def _at_fork_reinit(self) -> None:
-        self._lock._at_fork_reinit()
-        self._owner, self._count = None, 0
+        super()._at_fork_reinit()
+        self._again = 0
 
     def __repr__(self) -> str:
-        state = "locked" if self._count else "unlocked"
-        return f"<{state} _thread.RLock object owner={self._owner or 0} count={self._count} at {id(self):#x}>"
+        state = "locked" if self._locked else "unlocked"
+        return f"<{state} _thread.RLock object owner={self._locked} count={self._recursion_count()} at {id(self):#x}>"
