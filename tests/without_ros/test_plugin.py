@@ -105,6 +105,15 @@ def test_a_package_that_cannot_be_built_is_told_and_the_tests_of_others_run(tmp_
     assert done.status == 0 and "no such luck" in done.out, done
 
 
+def test_started_in_a_package_of_a_repository_with_settings_at_its_top_it_builds_that_package(tmp_path: Path) -> None:
+    own = python_package(tmp_path / "counter", test__test_counter=TEST_COUNTER)
+    write(python_package(tmp_path / "broken", "broken"), {"setup.py": "raise OSError('nobody needs it')\n"})
+    write(tmp_path, {"pyproject.toml": "[tool.black]\n"})
+    (tmp_path / ".git").mkdir()
+    done = pytest_in(own)
+    assert done.status == 0 and "warning" not in done.out, done
+
+
 SEES = """\
 import pathlib
 import time

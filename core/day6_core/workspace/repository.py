@@ -29,7 +29,8 @@ class Repository:
     """What is known of the packages around a folder; nothing is read before it is asked for."""
 
     def __init__(self, folder: Path, tests: Iterable[Path] = ()) -> None:
-        self._folder = folder
+        # started in a package of a repository with a pyproject.toml at its top, pytest runs that package's tests only
+        self._folder = started if (started := Path.cwd()).is_relative_to(folder) else folder
         self._tests = tuple(tests)
         """The files and folders that were named to pytest."""
 
