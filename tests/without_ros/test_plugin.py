@@ -115,7 +115,9 @@ def test_started_in_a_package_of_a_repository_with_settings_at_its_top_it_builds
 
 
 def test_a_folder_of_modules_is_the_tested_packages_own_whatever_others_call_theirs(tmp_path: Path) -> None:
-    test = "import rclpy\nfrom tools.sums import two\nimport other\n\n\ndef test_it():\n    assert two + other.one == 3\n"
+    test = (
+        "import rclpy\nfrom tools.sums import two\nimport other\n\n\ndef test_it():\n    assert two + other.one == 3\n"
+    )
     own = python_package(tmp_path / "src/counter", needs="<depend>other</depend>", test__test_it=test)
     write(own, {"tools/sums.py": "two = 2\n", "pytest.ini": "[pytest]\npythonpath = .\n"})
     beside = python_package(tmp_path / "src/other", "other")
