@@ -10,9 +10,10 @@ count. FOLDER has checkouts (see `checkouts.py`; `--clone` fetches what is missi
 
 Each package is built (`colcon build --packages-up-to`) in a workspace of its own with all of its repository, sourced, and tested
 (`python -m pytest`) in its folder, as `colcon test` does it. Repositories in `with` and packages in `also` are there too. A
-package with a `path` isn't built: its tests find it by that folder. With `--real`, an interpreter that has real ROS (and colcon
-beside it), the other side is run too, for its time; `--record` runs it twice and writes down what came out. The real side builds
-nothing that it has installed, and has to have what is in `with` and `also`.
+package with a `path` isn't built: its tests find it by that folder. `tests` are those that its CMakeLists.txt runs, where it has
+others, too. With `--real`, an interpreter that has real ROS (and colcon beside it), the other side is run too, for its time;
+`--record` runs it twice and writes down what came out. The real side builds nothing that it has installed, and has to have what
+is in `with` and `also`.
 
 What was recorded had Kilted's wheels, launch, its relatives, `ros2` and tf2 of the end of 2024, interfaces built beforehand, and
 no node in C++: tests that want one are left out here.

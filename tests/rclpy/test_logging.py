@@ -88,6 +88,21 @@ def test_messages_below_the_level_are_not_logged(level: int, capfd: Any) -> None
     assert [line.rpartition(" ")[2] for line in lines] == [name for name, each in METHODS.items() if each >= effective]
 
 
+def test_loggers_of_other_packages_own_log_by_the_binding(capfd: Any) -> None:
+    """As synchros2 has them."""
+    from rclpy.impl.implementation_singleton import rclpy_implementation as binding
+
+    for severity in METHODS.values():
+        binding.rclpy_logging_rcutils_log(severity, "a.b", f"at {severity}", "turn", "wheels.py", 7)
+    assert re.findall(r"at (\d+)", capfd.readouterr().err) == ["20", "30", "40", "50"]
+    assert binding.rclpy_logging_logger_is_enabled_for("a.b", 20)
+    binding.rclpy_logging_set_logger_level("a", 40)
+    assert binding.rclpy_logging_get_logger_effective_level("a.b") == 40
+    assert not binding.rclpy_logging_logger_is_enabled_for("a.b", 30)
+    binding.rclpy_logging_rcutils_log(LoggingSeverity.WARN, "a.b", "below", "turn", "wheels.py", 8)
+    assert capfd.readouterr().err == ""
+
+
 def test_a_line_has_level_time_name_and_message(capfd: Any) -> None:
     logging.get_logger("a").get_child("b").warning("look")
     assert re.fullmatch(r"\[WARN\] \[\d{10}\.\d{9}\] \[a\.b\]: look\n", capfd.readouterr().err)

@@ -105,6 +105,27 @@ def test_a_package_that_cannot_be_built_is_told_and_the_tests_of_others_run(tmp_
     assert done.status == 0 and "no such luck" in done.out, done
 
 
+def test_started_in_a_package_of_a_repository_with_settings_at_its_top_it_builds_that_package(tmp_path: Path) -> None:
+    own = python_package(tmp_path / "counter", test__test_counter=TEST_COUNTER)
+    write(python_package(tmp_path / "broken", "broken"), {"setup.py": "raise OSError('nobody needs it')\n"})
+    write(tmp_path, {"pyproject.toml": "[tool.black]\n"})
+    (tmp_path / ".git").mkdir()
+    done = pytest_in(own)
+    assert done.status == 0 and "warning" not in done.out, done
+
+
+def test_a_folder_of_modules_is_the_tested_packages_own_whatever_others_call_theirs(tmp_path: Path) -> None:
+    test = (
+        "import rclpy\nfrom tools.sums import two\nimport other\n\n\ndef test_it():\n    assert two + other.one == 3\n"
+    )
+    own = python_package(tmp_path / "src/counter", needs="<depend>other</depend>", test__test_it=test)
+    write(own, {"tools/sums.py": "two = 2\n", "pytest.ini": "[pytest]\npythonpath = .\n"})
+    beside = python_package(tmp_path / "src/other", "other")
+    write(beside, {"tools/__init__.py": "", "other/__init__.py": "one = 1\n"})
+    done = pytest_in(own)
+    assert done.status == 0, done
+
+
 SEES = """\
 import pathlib
 import time

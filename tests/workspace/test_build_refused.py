@@ -31,6 +31,18 @@ def test_a_package_whose_need_was_never_built_cannot_be_built_alone(workshop: Wo
 
 
 @pytest.mark.process
+def test_up_to_a_package_what_others_on_the_way_need_for_their_tests_is_built_too(workshop: Workshop) -> None:
+    """Without it base would be refused: colcon-core 0.21 follows every category of dependencies."""
+    workshop.create("checks")
+    base = workshop.create("base", "--dependencies checks")
+    edit(base / "package.xml", "<depend>checks</depend>", "<test_depend>checks</test_depend>")
+    workshop.create("user", "--dependencies base")
+    workshop.create("nobody")
+    done = workshop.run("colcon build --packages-up-to user")
+    assert done.status == 0 and "Summary: 3 packages finished" in done.out, done
+
+
+@pytest.mark.process
 def test_what_an_underlay_has_need_not_be_built_again(workshop: Workshop) -> None:
     workshop.create("base")
     assert workshop.run("colcon build").status == 0

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import sys
 from pathlib import Path
 
 import pytest
@@ -10,6 +11,11 @@ import pytest
 from tests.workspace.workshop import Workshop
 
 GOOD = "def test_one():\n    assert 1 + 1 == 2\n"
+NOTICE = """\
+# Copyright 2026 A. Student
+#
+# Licensed under the Apache License, Version 2.0 (the "License");
+"""
 BAD = "def test_two():\n    assert 1 + 1 == 3\n"
 
 
@@ -114,8 +120,30 @@ def test_docstrings_and_notices_are_looked_at(tmp_path: Path, monkeypatch: pytes
     file = tmp_path / "node.py"
     file.write_text('"""Turns wheels."""\n', encoding="utf-8")
     assert (docstrings([str(tmp_path)]), notices([str(tmp_path)])) == (0, 1)
-    file.write_text("# Copyright 2026 A. Student\n'''turns wheels'''\n", encoding="utf-8")
+    file.write_text(f"{NOTICE}'''turns wheels'''\n", encoding="utf-8")
     assert (docstrings([str(tmp_path)]), notices([str(tmp_path)])) == (1, 0)
+
+
+def test_a_notice_has_a_year_a_name_and_a_license_that_ros_knows(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    from ament_copyright.main import main as notices
+
+    file = tmp_path / "node.py"
+    for text, said in {
+        "": "",
+        NOTICE: "",
+        f"#!/usr/bin/env python3\n# -*- coding: utf-8 -*-\n\n{NOTICE}": "",
+        NOTICE.replace("2026", "(c) 2020-2024, 2026,"): "",
+        NOTICE.replace("2026", "(c) 2025-present"): "could not find copyright notice",
+        NOTICE.replace("2026 ", ""): "could not find copyright notice",
+        NOTICE.replace("Copyright", "SPDX-FileCopyrightText:"): "could not find copyright notice",
+        "# Turns wheels.\n\n" + NOTICE: "could not find copyright notice",
+        "# Copyright 2026 A. Student\nx = 1\n": "license=<unknown>",
+    }.items():
+        file.write_text(text, encoding="utf-8")
+        assert notices([str(file)]) == bool(said)
+        assert capsys.readouterr().err == (f"{file}: {said}\n" if said else ""), text
 
 
 def test_a_packages_own_setup_needs_no_notice_and_other_files_do(tmp_path: Path) -> None:
@@ -272,6 +300,60 @@ def test_only_the_docstring_of_a_function_begins_with_a_capital(tmp_path: Path) 
     assert pep257([str(file)]) == 0
     file.write_text('def case():\n    """unittest of a thing."""\n', encoding="utf-8")
     assert pep257([str(file)]) == 1
+
+
+@pytest.mark.parametrize("installed", [True, False])
+def test_docstrings_are_checked_by_the_codes_that_a_test_names(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, installed: bool
+) -> None:
+    """As packages have it that write the summary beside the quotes, which ROS's own convention refuses (D213)."""
+    from ament_pep257 import main as pep257
+
+    if not installed:
+        monkeypatch.setattr(pep257, "find_spec", lambda _: None)
+    elif pep257.find_spec("pydocstyle") is None:
+        pytest.skip("pydocstyle is not installed")
+    file = tmp_path / "described.py"
+    text = '"""Wheels."""\n\n\ndef turn() -> None:\n    """Turn the wheels.\n\n    Both.\n    """\n'
+    file.write_text(text, encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    assert pep257.main([]) == 1
+    assert pep257.main([".", "--add-ignore", "D213"]) == 0
+    assert pep257.main([".", "--ignore", "D203", "D213"]) == 0
+    assert pep257.main([".", "--select", "D400"]) == 0
+    assert pep257.main([".", "--select", "D400", "--add-select", "D213"]) == 1
+    assert pep257.main([".", "--convention", "google"]) == 0
+    assert pep257.main(["--exclude", "described.py"]) == 0
+    assert pep257.main(["--exclude", "other.py", "--", "."]) == 1
+
+
+def test_linters_end_at_words_that_they_do_not_know(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A test that calls `main()` gives them pytest's own."""
+    from ament_copyright.main import main as notices
+    from ament_flake8.main import main as style
+    from ament_mypy.main import main as types
+    from ament_pep257.main import main as docstrings
+    from ament_xmllint.main import main as xmllint
+
+    monkeypatch.setattr(sys, "argv", ["pytest", "-q", str(tmp_path)])
+    for main in (notices, style, types, docstrings, xmllint):
+        with pytest.raises(SystemExit, match="2"):
+            main()
+
+
+def test_linters_leave_out_what_a_test_excludes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    from ament_copyright.main import main as notices
+    from ament_xmllint.main import main as xmllint
+
+    made = tmp_path / "made"
+    made.mkdir()
+    (made / "bare.py").write_text("x = 1\n", encoding="utf-8")
+    (made / "wrong.xml").write_text("<package>\n", encoding="utf-8")
+    (tmp_path / "right.xml").write_text("<package/>\n", encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    assert (notices([]), notices(["--exclude", "made/*.py"]), notices([".", "--exclude", "bare.py"])) == (1, 0, 1)
+    assert (xmllint([]), xmllint(["--exclude", "made"]), xmllint(["--exclude", "wrong.xml"])) == (1, 0, 0)
+    assert xmllint(["--extensions", "launch"]) == 1, "no such file"
 
 
 def test_tests_beside_each_other_hold_different_domains() -> None:

@@ -24,7 +24,8 @@ class Planned:
 def plan(packages: Iterable[Package], *, direct: tuple[str, ...] = ()) -> list[Planned]:
     """Return the packages in build order.
 
-    `direct` limits the categories of direct dependencies (empty: all); of indirect ones only `run` counts.
+    `direct` limits the categories of direct dependencies (empty: all); indirect ones count whatever their category, as they do
+    in colcon-core 0.21.
 
     Raises:
         OrderError: packages depend on each other in a cycle.
@@ -59,8 +60,8 @@ def _recursive(package: Package, by_name: dict[str, list[Package]], direct: tupl
         name = waiting.pop()
         if name not in found:
             found.add(name)
-            waiting += [further for each in by_name[name] for further in each.dependencies("run") if further in by_name]
-    # A cycle leads back to the package itself; a cycle through `run` only is reported by the other packages in it.
+            waiting += [further for each in by_name[name] for further in each.dependencies() if further in by_name]
+    # A cycle leads back to the package itself; it is reported by the other packages in it.
     return found - {package.name}
 
 

@@ -29,7 +29,8 @@ class Repository:
     """What is known of the packages around a folder; nothing is read before it is asked for."""
 
     def __init__(self, folder: Path, tests: Iterable[Path] = ()) -> None:
-        self._folder = folder
+        # started in a package of a repository with a pyproject.toml at its top, pytest runs that package's tests only
+        self._folder = started if (started := Path.cwd()).is_relative_to(folder) else folder
         self._tests = tuple(tests)
         """The files and folders that were named to pytest."""
 
@@ -58,16 +59,19 @@ class Repository:
         return next((each for each in folders if (each / name / "__init__.py").is_file()), None)
 
     def sources(self) -> list[str]:
-        """Return the folders of packages that have a Python package of the same name."""
-        return [str(folder) for name, folder in self.packages.items() if (folder / name / "__init__.py").is_file()]
+        """Return the folders of the tested packages that have a Python package of the same name.
+
+        What else is in those of other packages is not for these tests: modules of the same name might be.
+        """
+        own = ((name, self.packages[name]) for name in self._tested)
+        return [str(folder) for name, folder in own if (folder / name / "__init__.py").is_file()]
 
     def build(self, colcon: Sequence[str], into: Path, variables: Mapping[str, str]) -> str:
         """Build the packages that the tests belong to, with what they need, by the words of `colcon`.
 
         Returns what went wrong, or ''.
         """
-        wanted = self._around(self._tests or [self._folder]) or self._around([self.top])
-        if not wanted:
+        if not self._tested:
             return ""
         bases = ("--build-base", into / "build", "--install-base", into / "install", "--paths", *self.packages.values())
         words = [
@@ -80,7 +84,7 @@ class Repository:
             *map(str, bases),
         ]
         words += ["--event-handlers", "console_start_end-", "summary-", "desktop_notification-"]
-        words += ["--packages-up-to", *wanted]
+        words += ["--packages-up-to", *self._tested]
         done = subprocess.run(
             words,
             cwd=self.top,
@@ -92,6 +96,10 @@ class Repository:
             errors="replace",
         )
         return done.stdout if done.returncode else ""
+
+    @cached_property
+    def _tested(self) -> list[str]:
+        return self._around(self._tests or [self._folder]) or self._around([self.top])
 
     def _around(self, places: Iterable[Path]) -> list[str]:
         """Return the packages that some files or folders are in, or have in them."""

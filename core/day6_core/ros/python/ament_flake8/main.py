@@ -6,7 +6,6 @@ Those are: syntax errors (E999), lines over 99 characters (E501), tabs (W191), t
 
 from __future__ import annotations
 
-import argparse
 import ast
 import os
 import subprocess
@@ -14,7 +13,7 @@ import sys
 from collections.abc import Iterator
 from importlib.util import find_spec
 
-from ament_lint.files import files_below
+from ament_lint.files import files_below, parser_for
 
 _LONGEST = 99
 
@@ -26,11 +25,9 @@ def main(argv: list[str] | None = None) -> int:
 
 def main_with_errors(argv: list[str] | None = None) -> tuple[int, list[str]]:
     """Like `main`; returns (exit status, lines like `./hello/talker.py:3:1: F401 'math' imported but unused`)."""
-    parser = argparse.ArgumentParser(prog="ament_flake8", description="Check style with flake8.")
+    parser = parser_for("ament_flake8", "Check style with flake8.")
     parser.add_argument("--config", metavar="path", help="a configuration of flake8 in place of that of ROS")
     parser.add_argument("--linelength", metavar="N", type=int, help="the maximum line length")
-    parser.add_argument("--exclude", metavar="filename", nargs="*", default=[], help="files to leave out")
-    parser.add_argument("paths", nargs="*", default=[os.curdir], help="files and folders")
     chosen = parser.parse_args(sys.argv[1:] if argv is None else argv)
     if find_spec("flake8") is None:
         errors = _by_ourselves(chosen.paths, chosen.linelength or _LONGEST)

@@ -2,22 +2,19 @@
 
 from __future__ import annotations
 
-import argparse
 import os
 import subprocess
 import sys
 from importlib.util import find_spec
 
-from ament_lint.files import files_below
+from ament_lint.files import files_below, parser_for
 
 
 def main(argv: list[str] | None = None) -> int:
     """Check the given files and folders (by default the current one); returns mypy's status, 1 without anything to check."""
-    parser = argparse.ArgumentParser(prog="ament_mypy", description="Check types with mypy.")
+    parser = parser_for("ament_mypy", "Check types with mypy.")
     parser.add_argument("--config", metavar="path", help="a configuration of mypy in place of that of ROS")
-    parser.add_argument("--exclude", metavar="filename", nargs="*", default=[], help="names of files to leave out")
     parser.add_argument("--cache-dir", metavar="cache", default=os.devnull, help="where mypy keeps what it knows")
-    parser.add_argument("paths", nargs="*", default=[os.curdir], help="files and folders")
     chosen = parser.parse_args(sys.argv[1:] if argv is None else argv)
     if find_spec("mypy") is None:
         print("mypy is not installed (pip install mypy)", file=sys.stderr)

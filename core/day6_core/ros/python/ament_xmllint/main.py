@@ -6,12 +6,16 @@ import os
 import sys
 from xml.parsers import expat
 
-from ament_lint.files import files_below
+from ament_lint.files import files_below, parser_for
 
 
 def main(argv: list[str] | None = None) -> int:
     """Check the given files and folders (by default the current one); returns 1 if one is invalid or there is none."""
-    files = list(files_below(sys.argv[1:] if argv is None else argv, ".xml"))
+    parser = parser_for("ament_xmllint", "Check that XML files are well-formed.")
+    parser.add_argument("--extensions", nargs="*", default=["xml"], help="the endings of the files in folders")
+    chosen = parser.parse_args(sys.argv[1:] if argv is None else argv)
+    endings = tuple(f".{each}" for each in chosen.extensions)
+    files = [path for path in files_below(chosen.paths, endings) if not {*chosen.exclude} & {*path.split(os.sep)}]
     if not files:
         print("No files found", file=sys.stderr)
         return 1

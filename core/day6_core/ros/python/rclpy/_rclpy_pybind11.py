@@ -45,7 +45,13 @@ _ELSEWHERE = {
     "rclpy.experimental.events_executor": {"EventsExecutor": "_EventsExecutor"},
     "rclpy.expand_topic_name": {"rclpy_expand_topic_name": "expand_topic_name"},
     "rclpy.guard_condition": {"GuardCondition": "_GuardHandle"},
+    "rclpy.impl.rcutils_logger": {
+        "rclpy_logging_get_logger_effective_level": "_effective_level_of",
+        "rclpy_logging_logger_is_enabled_for": "_is_enabled_for",
+        "rclpy_logging_rcutils_log": "_log_from",
+    },
     "rclpy.lifecycle._state_machine": {"LifecycleStateMachine": "StateMachine"},
+    "rclpy.logging": {"rclpy_logging_set_logger_level": "set_logger_level"},
     "rclpy.qos": {"rmw_qos_profile_t": "_rmw_qos_profile_t", "rclpy_qos_check_compatible": "qos_check_compatible"},
     "rclpy.serialization": {"rclpy_deserialize": "deserialize_message"},
     "rclpy.signals": {

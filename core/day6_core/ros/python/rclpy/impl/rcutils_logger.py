@@ -319,6 +319,21 @@ class RcutilsLogger:
         return self.log(message, LoggingSeverity.FATAL, **kwargs)
 
 
+def _effective_level_of(name: str) -> int:
+    """Return the effective level of a logger, like the next two by the binding's name: for loggers of other packages' own."""
+    return PROCESS.effective_level(name)
+
+
+def _is_enabled_for(name: str, severity: int) -> bool:
+    return PROCESS.effective_level(name) <= int(severity)
+
+
+def _log_from(severity: int, name: str, message: str, function: str, file: str, line: int) -> None:
+    """Log what was said at this place, if the logger's level allows it."""
+    if _is_enabled_for(name, severity):
+        PROCESS.emit(int(severity), name, message, function, file, line)
+
+
 def _wrong_message(severity: Any, name: str, message: object, caller: CallerId) -> str:
     """Return real rclpy's error text for a message that isn't a str; its binding prints the whole call."""
     return (
