@@ -161,9 +161,9 @@ def begin(parser: CommandParser, options: argparse.Namespace, words: list[str]) 
         try:
             options.home, options.past = rewind.begin(options.home or default_home())
         except OSError as error:
-            from day6_core.reason import reason
+            from day6_core.reason import fault
 
-            return _refuse(f"{error.filename or ''}: {reason(error)}")
+            return _refuse(fault(error))
         options.record = options.record if options.past is None else None  # it has its film already
     return run(Options(**vars(options), keeper=keeper))
 
