@@ -30,6 +30,7 @@ from tests.support import (
     one_process,
     short_sockets,
     skips,
+    virtual_time,
     waiting,  # noqa: F401 - before sleeping is watched
 )
 from tests.support.other_distribution import in_distribution, nothing_chosen  # noqa: F401
@@ -125,6 +126,7 @@ def environment() -> dict[str, str]:
         "DAY6_LINK": "off",
         "DAY6_WATCH": str(WAITS),
         "ROS_LOG_DIR": str(folders["log"]),
+        **virtual_time.variables(os.environ),
     }
 
 
@@ -170,7 +172,7 @@ def pytest_configure(config: pytest.Config) -> None:
     """Choose the default layer, unless `-m` or `--whole` chooses, or all that is named are files."""
     if (interval := config.getoption("--switch-interval")) is not None:
         sys.setswitchinterval(interval)
-    for name, what in one_process.LAYERS.items():
+    for name, what in {**one_process.LAYERS, virtual_time.MARK: "runs in a pytest of its own, in virtual time"}.items():
         config.addinivalue_line("markers", f"{name}: {what}")
     chosen = config.getoption("--whole") or any(word.startswith("-m") for word in config.invocation_params.args)
     if not chosen and not all(".py" in word for word in config.args):
@@ -191,6 +193,18 @@ def pytest_collection_finish() -> None:
     gc.collect()
     gc.freeze()
     gc.disable()
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_runtest_setup(item: pytest.Item) -> None:
+    """Set up nothing here for a test that runs in virtual time, in a pytest of its own."""
+    virtual_time.leave_out_fixtures(item)
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_pyfunc_call(pyfuncitem: pytest.Function) -> bool | None:
+    """Run such a test there."""
+    return virtual_time.run(pyfuncitem)
 
 
 @pytest.hookimpl(wrapper=True)

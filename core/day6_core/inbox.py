@@ -41,7 +41,9 @@ class Inbox(Generic[T]):
         end = math.inf if timeout is None else time.monotonic() + timeout
         while not self._items:
             left = max(0.0, end - time.monotonic())
-            if not self._nothing_new.acquire(timeout=min(left, threading.TIMEOUT_MAX)) and not left:
+            if self._nothing_new.acquire(timeout=min(left, threading.TIMEOUT_MAX)) or self._items:
+                continue
+            if time.monotonic() >= end:
                 raise Empty
         return self._items.popleft()
 

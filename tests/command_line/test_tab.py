@@ -40,7 +40,7 @@ NAMES = names()
         ("lessons ", ["list", "help", "new", "check", "preview", "play"]),
         ("lessons new ", []),
         ("lessons new --", ["-h", "--help", "--lang", "--drill"]),
-        ("lessons --lang zh play a.md b.md --", ["-h", "--help", "--lang", "--step"]),
+        ("lessons --lang zh play a.md b.md --", ["-h", "--help", "--lang", "--step", "--real-time"]),
         ("help ", NAMES),
         ("help serve ", NAMES),
         ("completion ", ["bash", "zsh", "fish", "powershell"]),

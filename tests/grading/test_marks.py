@@ -190,12 +190,34 @@ def test_who_wants_a_core_and_gets_none_is_late(monkeypatch: pytest.MonkeyPatch)
     reaped = iter([(0, 0), (0, 0), (0, 0), (0, 0), (5, 0)])
     monkeypatch.setattr(shield, "_worked", lambda pid: next(worked[pid]))
     monkeypatch.setattr(shield, "own_memory", lambda _: 0)
-    monkeypatch.setattr(shield.os, "waitpid", lambda *_: next(reaped))
-    monkeypatch.setattr(shield.time, "monotonic", lambda: wall)
-    monkeypatch.setattr(shield.time, "sleep", sleep)
+    monkeypatch.setattr(shield, "_waitpid", lambda *_: next(reaped))
+    monkeypatch.setattr(shield, "_monotonic", lambda: wall)
+    monkeypatch.setattr(shield, "_sleep", sleep)
     late: list[float] = []
     assert shield.watch(5, 60.0, lambda: [7, 8], lambda seconds: late.append(round(seconds, 2))) == ""
     assert late == [0.0, 0.0, 0.14, 0.0]
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="nothing is graded on Windows")
+@pytest.mark.parametrize(
+    ("runs", "own_seconds", "ended"), [(True, True, ""), (True, False, "time"), (False, True, "time")]
+)
+def test_seconds_in_which_a_submission_waits_for_a_core_may_be_left_out(
+    monkeypatch: pytest.MonkeyPatch, runs: bool, own_seconds: bool, ended: str
+) -> None:
+    """It gets a hundredth of the time in which it could run; what it sleeps is its own."""
+    wall = 0.0
+
+    def sleep(seconds: float) -> None:
+        nonlocal wall
+        wall += seconds
+
+    monkeypatch.setattr(shield, "_worked", lambda pid: (runs, wall / 100))
+    monkeypatch.setattr(shield, "own_memory", lambda _: 0)
+    monkeypatch.setattr(shield, "_waitpid", lambda *_: (5, 0) if wall > 100 else (0, 0))
+    monkeypatch.setattr(shield, "_monotonic", lambda: wall)
+    monkeypatch.setattr(shield, "_sleep", sleep)
+    assert shield.watch(5, 60.0, lambda: [7], lambda _: None, own_seconds=own_seconds) == ended
 
 
 # -- what is written ---------------------------------------------------------------------------------------------------

@@ -56,6 +56,79 @@ tempfile.mkdtemp = lambda prefix, dir: make(prefix=prefix + "{mark}", dir=dir)
 runpy.run_module("day6_tui.main", run_name="__main__", alter_sys=True)
 """
 """The command, whose folders can be told from those of other graders on this machine."""
+C_SLEEP = "import ctypes\n\n\ndef main():\n    ctypes.CDLL(None).sleep(600)\n"
+FOREIGN = "import subprocess\n\n\ndef main():\n    subprocess.run(['sleep', '600'])\n"
+POLLS = "import time\n\n\ndef main():\n    while True:\n        time.sleep(0)\n"
+SPEAKS = """\
+import subprocess, sys
+
+CODE = '''
+import contextlib, os, socket, struct, threading, time
+frame, world = struct.Struct("<BBqq").pack, os.environ["DAY6_TIME"]
+IDLE, TOUCHED, SPAWNED, KILLED, WANTS = range(2, 7)
+judge = int(os.path.basename(world))
+def connected():
+    made = socket.socket(socket.AF_UNIX)
+    made.connect(world + "/socket")
+    return made
+{attack}
+'''
+
+
+def main():
+    print(subprocess.run([sys.executable, '-I', '-c', CODE], capture_output=True, text=True, check=True))
+"""
+"""A program that has another one speak to who says what time it is, in the judge, and goes on."""
+ATTACKS = {
+    "kills": """
+with open(f"/proc/{judge}/stat") as file:
+    parent, group = map(int, file.read().rpartition(")")[2].split()[1:3])
+for number in 9, 15, 19:
+    for target in judge, parent, -group, -parent, 1, -1:
+        connected().send(frame(KILLED, 0, target, number) + frame(IDLE, 0, 0, -1))
+""",
+    "lies": """
+worst = 2**63 - 1, -2**63, 2**62, 2**31, -2**31, -1, 0, 1, judge
+for kind in range(256):
+    for first in worst:
+        connected().send(b"".join(frame(kind, 255, first, second) for second in worst))
+""",
+    "claims": """
+threading.Thread(target=time.sleep, args=[1], daemon=True).start()
+for name in (*os.listdir("/proc"), threading.enumerate()[1].native_id):
+    if str(name).isdecimal():
+        connected().send(frame(SPAWNED, 0, int(name), 0) + frame(TOUCHED, 0, int(name), 0))
+""",
+    "half": """
+kept = [connected() for _ in range(50)]
+for each in kept:
+    with contextlib.suppress(OSError):
+        each.send(frame(KILLED, 0, judge, 9)[:7])
+time.sleep(1)
+""",
+    "many": """
+for _ in range(5000):
+    connected()
+""",
+    "floods": """
+made = connected()
+for each in (frame(IDLE, 255, 0, 0), frame(WANTS, 0, 0, 0), frame(TOUCHED, 0, judge, 0), frame(99, 0, 0, 0)):
+    with contextlib.suppress(OSError):
+        made.sendall(each * 20_000)
+""",
+    "deaf": """
+made = connected()
+with contextlib.suppress(OSError):
+    while True:
+        made.send(frame(IDLE, 1, 0, 0))
+""",
+    "vandal": """
+import shutil
+shutil.rmtree(world)
+os.mkdir(world)
+os.symlink("nowhere", world + "/socket")
+""",
+}
 VANDAL = """\
 import os, pathlib
 
@@ -128,6 +201,23 @@ def test_nothing_escapes_without_namespaces_either(tmp_path: Path) -> None:
     assert f"sleep {seconds}" not in listed.splitlines()
 
 
+def test_who_computes_or_waits_for_something_real_holds_nobody_for_ever(tmp_path: Path) -> None:
+    programs = {"loop": LOOP, "polls": POLLS, "sleeps": C_SLEEP, "foreign": FOREIGN}
+    done = _graded(tmp_path, programs, within=2)
+    for name in programs:
+        assert (done[name].passed, done[name].ended) == (1, "")
+        assert "It is still running" in _said(done[name])
+        assert "time stands still" not in _said(done[name])
+    assert done["good"].passed == 2
+
+
+@pytest.mark.parametrize("shielded", [pytest.param(True, marks=needs_namespaces), False])
+def test_who_speaks_to_the_judge_has_nobody_killed_and_stops_nobody(tmp_path: Path, shielded: bool) -> None:
+    programs = {name: SPEAKS.replace("{attack}", attack) for name, attack in ATTACKS.items()}
+    done = _graded(tmp_path, programs, within=60, shielded=shielded)
+    assert {name for name, graded in done.items() if (graded.passed, graded.ended) == (2, "")} == {*ATTACKS, "good"}
+
+
 @needs_namespaces
 def test_nothing_outside_can_be_written(tmp_path: Path) -> None:
     import day6_core.lessons.grading.judge as judge
@@ -142,11 +232,11 @@ def test_nothing_outside_can_be_written(tmp_path: Path) -> None:
 
 
 def test_a_submission_that_takes_too_long_keeps_what_it_had_passed(tmp_path: Path) -> None:
-    files = [write(tmp_path / "slow.zip", {"home/star.py": "import time\n\ntime.sleep(600)\n"})]
+    files = [write(tmp_path / "slow.zip", {"home/star.py": "while True:\n    pass\n"})]
     chosen = sorted((each for each in gradings() if each.lesson in ("day3", "day4")), key=lambda each: -each.order)
-    done = Patient(chosen, seconds=20, answers={}).grade(files, 1)[0]
+    done = Patient(chosen, seconds=15, answers={}).grade(files, 1)[0]
     assert {(each.lesson, each.passed) for each in done.results} == {("day4", True), ("day3", False)}
-    assert "ends within 20 s" in _said(done)
+    assert "ends within 15 s" in _said(done)
 
 
 def test_ctrl_c_leaves_nothing(tmp_path: Path) -> None:
@@ -176,16 +266,19 @@ def _inside(mark: str) -> set[str]:
     return found
 
 
-@pytest.mark.process
-def test_a_program_that_could_not_run_in_time_is_not_played_and_never_wrong(tmp_path: Path) -> None:
-    """Everything of the submission stands still again and again, as on a machine that is far too busy."""
+@pytest.mark.parametrize("virtual", [True, False])
+def test_a_program_that_could_not_run_in_time_is_never_wrong(tmp_path: Path, virtual: bool) -> None:
+    """Everything of the submission stands still again and again, as on a machine that is far too busy.
+
+    In virtual time that makes no difference; in real time it is not played.
+    """
     scenario = tmp_path / "own.md"
     scenario.write_text(
         "---\ngrading: own\ntitle: {zh: a, en: b}\n---\n# sleeps\n~~~yaml\nrun:\n  - type: python3 ~/sleeps.py\n"
         "check:\n  - ran: {line: sleeps.py, prints: in time}\nwithin: 8\n~~~\n## zh a\n## en b\n"
     )
     program = "import time\nbegan = time.monotonic()\ntime.sleep(1.0)\nprint('in time' if time.monotonic() < began + 1.3 else 'late')\n"
-    grader = Grader([read_grading(scenario)], answers={})
+    grader = Grader([read_grading(scenario)], answers={}, virtual=virtual)
     again: list[int] = []
     done = threading.Event()
 
@@ -207,6 +300,9 @@ def test_a_program_that_could_not_run_in_time_is_not_played_and_never_wrong(tmp_
         done.set()
         holder.join()
     (result,) = graded.results
+    if virtual:
+        assert (result.mark, again) == (Mark.RIGHT, [])
+        return
     assert again == [1]
     assert (result.mark, result.points) == (Mark.UNPLAYED, 0.0)
     assert "Too busy twice" in result.problems[0][1]["en"]

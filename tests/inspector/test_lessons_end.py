@@ -37,6 +37,7 @@ DAYS = {path.stem: path for path in (HERE / "days").glob("*.md")}
 
 
 @pytest.mark.process
+@pytest.mark.virtual_time
 @pytest.mark.parametrize("name", sorted(DAYS))
 def test_after_a_step_there_is_no_alarm_but_what_the_step_is_about(lab: Lab, name: str) -> None:
     wrong: list[str] = []

@@ -22,6 +22,7 @@ CASES = [pytest.param(fault, way, id=f"{fault}: {way['name']}") for fault, ways 
 
 
 @pytest.mark.process
+@pytest.mark.virtual_time
 @pytest.mark.parametrize(("fault", "way"), CASES)
 def test_a_way_of_ones_own_is_judged_by_its_effect(fault: str, way: dict[str, Any], tmp_path: Path) -> None:
     folder, pattern, name = ("days", *fault.split("/")) if "/" in fault else ("drills", f"{fault}_*", "")

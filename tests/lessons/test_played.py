@@ -1,15 +1,13 @@
 """Every shipped lesson and drill, played: each step begins unsolved, refuses its wrong answers, is solved by its solution.
 
-Playing is mostly waiting, for processes to start and turtles to arrive: so `day6-tui lessons play` runs for several files at
-a time, beside the other tests, from when the first of these begins.
+`python -m tests.lessons.table` plays them by hand, several times if you like, and says how long it took.
 """
 
 from __future__ import annotations
 
 import subprocess
 import sys
-from collections.abc import Iterator, Sequence
-from concurrent.futures import Future, ThreadPoolExecutor
+from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
@@ -18,7 +16,6 @@ from day6_core.lessons.catalogue import HERE
 from day6_core.lessons.reading import read_lesson
 from tests.support.waiting import run
 
-AT_A_TIME = 5
 TOGETHER = 8
 """As many short files are given to one command."""
 
@@ -27,36 +24,24 @@ LONGEST = 400.0
 
 DAYS = sorted((HERE / "days").glob("*.md"))
 DRILLS = sorted((HERE / "drills").glob("*.md"))
-FILES = [*DAYS, HERE / "example.md", HERE / "example_drill.md", *DRILLS]
+SHORT = [HERE / "example.md", HERE / "example_drill.md", *DRILLS]
+GROUPS = [[path] for path in DAYS] + [SHORT[begin : begin + TOGETHER] for begin in range(0, len(SHORT), TOGETHER)]
 
-Played = Future["subprocess.CompletedProcess[str]"]
 
-
-def play(paths: Sequence[Path]) -> subprocess.CompletedProcess[str]:
+def play(paths: Sequence[Path], *options: str) -> subprocess.CompletedProcess[str]:
     """Play lesson files as their author would."""
-    command = [sys.executable, "-m", "day6_tui.main", "lessons", "play", *map(str, paths)]
+    command = [sys.executable, "-m", "day6_tui.main", "lessons", "play", *options, *map(str, paths)]
     done: subprocess.CompletedProcess[str] = run(command, None, LONGEST)
     return done
 
 
-@pytest.fixture(scope="module")
-def playing() -> Iterator[dict[Path, Played]]:
-    """All files are played from now on, a few at a time."""
-    short = [path for path in FILES if path not in DAYS]
-    groups = [[path] for path in DAYS] + [short[begin : begin + TOGETHER] for begin in range(0, len(short), TOGETHER)]
-    with ThreadPoolExecutor(AT_A_TIME) as pool:
-        played = [(paths, pool.submit(play, paths)) for paths in groups]
-        yield {path: done for paths, done in played for path in paths}
-
-
 @pytest.mark.process
-@pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
-def test_it_is_solved_by_its_solutions_alone(path: Path, playing: dict[Path, Played]) -> None:
-    done = playing[path].result()
-    assert done.stderr == ""
-    assert (done.returncode == 0) == ("FAIL" not in done.stdout)
-    lines = [line for line in done.stdout.splitlines() if f"  {path.name}:" in line]
-    assert [line[:4] for line in lines] == ["ok  "] * len(read_lesson(path).steps), done.stdout
+@pytest.mark.parametrize("paths", GROUPS, ids=lambda paths: paths[0].stem)
+def test_they_are_solved_by_their_solutions_alone(paths: Sequence[Path]) -> None:
+    done = play(paths)
+    assert (done.returncode, done.stderr) == (0, ""), done.stdout
+    played = [line[:4] + line.split()[3].partition(":")[0] for line in done.stdout.splitlines()]
+    assert played == [f"ok  {path.name}" for path in paths for _ in read_lesson(path).steps]
 
 
 def test_every_drill_has_three_wrong_answers_at_least_and_two_thirds_of_the_steps_have_one() -> None:

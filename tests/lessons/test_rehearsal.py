@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Awaitable, Callable
 from itertools import count
 from pathlib import Path
@@ -16,7 +17,8 @@ from day6_core.lessons.reading import read_lesson
 from day6_core.lessons.rehearsal import Played, rehearse
 from day6_core.lessons.stage import Stage
 from day6_core.session.session import Session
-from tests.support.waiting import PATIENCE
+from day6_core.virtual.surroundings import is_there
+from tests.support.waiting import PATIENCE, run
 
 HEAD = "---\nlesson: small\norder: 1\nminutes: 5\ntitle: {zh: 课, en: Lesson}\n---\n"
 TEXT = "\n## {language} Title\n\ntext\n\n### do\n\ndo\n\n### hints\n\n1. one\n2. two\n3. three\n"
@@ -31,6 +33,29 @@ def play(
     path = tmp_path / "lesson.md"
     path.write_text(text, encoding="utf-8")
     return rehearse(read_lesson(path), tmp_path / "home", told, only)
+
+
+DATED = """check:
+  - file: {path: ~/date, has: '2026-01-01 00:00:2'}
+solve:
+  - type: sleep 20; python3 -c 'import datetime; print(datetime.datetime.utcnow())' > date
+"""
+
+
+@pytest.mark.process
+@pytest.mark.skipif(not is_there(), reason="there is no virtual time on this system")
+def test_a_lesson_is_played_in_virtual_time_unless_real_time_is_wanted(tmp_path: Path) -> None:
+    path = tmp_path / "lesson.md"
+    text = f"{HEAD}\n# one\n\n~~~yaml\n{DATED}~~~\n{TEXT.format(language='zh')}{TEXT.format(language='en')}"
+    path.write_text(text, encoding="utf-8")
+    command = [sys.executable, "-m", "day6_tui.main", "lessons", "play", str(path)]
+    done, again = run(command), run(command)
+    assert (done.returncode, done.stderr) == (0, ""), done.stdout
+    assert done.stdout == again.stdout and done.stdout.startswith("ok    20.")
+    real = text.replace("'2026-01-01 00:00:2'", "real").replace("sleep 20; ", "echo ${DAY6_TIME:-real} > date #")
+    path.write_text(real, encoding="utf-8")
+    done = run([*command, "--real-time"])
+    assert (done.returncode, done.stderr) == (0, ""), done.stdout
 
 
 @pytest.mark.process

@@ -139,6 +139,7 @@ def played(lesson: Lesson) -> Played:
         return asyncio.run(play(Path(folder)))
 
 
+@pytest.mark.virtual_time
 @pytest.mark.parametrize("name", sorted(path.stem for path in (HERE / "days").glob("*.md")))
 def test_a_step_has_what_it_speaks_of_on_the_screen(name: str) -> None:
     lesson = next(lesson for lesson in days() if lesson.name == name)

@@ -13,6 +13,7 @@ if sys.platform != "linux":
 
 from day6_core.virtual.follow import locks
 from day6_core.virtual.kernel import LONGEST_READING_NS, READ_NS, Kernel, Watch
+from day6_core.virtual.watchdog import what_lasts
 
 SECOND = 1_000_000_000
 
@@ -209,3 +210,17 @@ def test_a_signal_from_outside_ends_the_idling(kernel: Kernel) -> None:
     assert kernel.wait(SECOND) is False
     assert (said, world.wanted) == ([1], 1)
     assert kernel.now == SECOND
+
+
+@pytest.mark.parametrize(
+    ("looks", "said"),
+    [
+        ([(0.0, 0.0), (0.5, 0.5), (1.0, 1.0), (1.5, 1.5), (2.0, 2.0)], "busy"),
+        ([(0.0, 0.0), *((each / 20, each / 2) for each in range(1, 20))], ""),  # beside many others
+        ([(0.0, 0.0), *((each / 20, each / 2) for each in range(1, 37))], "busy"),
+        ([(0.0, 0.0), (0.5, 0.5), (0.5, 0.5), (0.5, 0.5), (0.5, 0.5)], ""),
+        ([(0.0, 0.0), (0.5, 0.5), (0.5, 0.5), (0.5, 0.5), (0.5, 0.5), (0.5, 0.5)], "real"),
+    ],
+)
+def test_what_lasts_is_told_by_what_was_wanted_of_the_cores(looks: list[tuple[float, float]], said: str) -> None:
+    assert what_lasts(looks) == said

@@ -137,6 +137,46 @@ with open(big, "rb") as file: print(len(file.read()))
 """,
         "0 1.0\n1 2.0\n2 3.0\n300000\n300000\n",
     ),
+    "a terminal whose reading waits for nothing, or for a time": (
+        """
+import os, pty, termios, threading, time
+ours, side = pty.openpty()
+def read_with(tenths):
+    mode = termios.tcgetattr(side)
+    mode[3] &= ~(termios.ICANON | termios.ECHO)
+    mode[6][termios.VMIN], mode[6][termios.VTIME] = 0, tenths
+    termios.tcsetattr(side, termios.TCSANOW, mode)
+    print(os.read(side, 9), round(time.monotonic(), 1))
+read_with(0)
+read_with(20)
+threading.Timer(1, os.write, [ours, b"typed"]).start()
+read_with(20)
+print(open(side, "rb", 0).read(9), round(time.monotonic(), 1))
+""",
+        "b'' 0.0\nb'' 2.0\nb'typed' 3.0\nb'' 5.0\n",
+    ),
+    "Ctrl-C in a terminal": (
+        """
+import fcntl, os, pty, subprocess, sys, termios, time
+ours, side = pty.openpty()
+code = '''
+import time
+print("ready", flush=True)
+for n in range(200):
+    try: time.sleep(60)
+    except KeyboardInterrupt: assert abs(time.monotonic() - 1 - n / 100) < 0.005, (n, time.monotonic())
+time.sleep(60)
+'''
+def own_terminal(): os.setsid(); fcntl.ioctl(0, termios.TIOCSCTTY, 0)
+pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
+child = subprocess.Popen([sys.executable, "-c", code], stdin=side, preexec_fn=own_terminal, **pipes)
+print(child.stdout.readline())
+time.sleep(1 - time.monotonic())
+for n in range(201): os.write(ours, bytes([3])); time.sleep(0.01)
+print(child.wait(), round(time.monotonic(), 2), child.stderr.read().splitlines()[-1])
+""",
+        "b'ready\\n'\n-2 3.01 b'KeyboardInterrupt'\n",
+    ),
     "a socket in the place of a pipe": (
         """
 import os, select, socket, subprocess, sys, time

@@ -18,6 +18,7 @@ from day6_core.lessons.flaws import meant
 from day6_core.lessons.reading import read_lesson
 from day6_core.lessons.source import LessonMistakes, Mistake
 from day6_core.session.harmless import lines, one_line
+from day6_core.virtual.surroundings import begin_anew, is_due
 
 WRITING = Path(__file__).with_name("writing")
 """How lessons are written, a page in each language; the documentation has a copy of them."""
@@ -37,6 +38,8 @@ def main(words: list[str]) -> int:
             return 0
         if options.verb == "new":
             return _new(options.file, "drill" if options.drill else "lesson")
+        if options.verb == "play" and is_due(real_time=options.real_time):
+            begin_anew(sys.orig_argv, os.environ)
         results = [_with(options, file) for file in options.file]
     except OSError as error:
         if error.filename is None:  # not of a file: of what is printed

@@ -23,6 +23,7 @@ def lessons(language: str = "en") -> CommandParser:
         added = parser.add_verb(verb)
         added.add_argument("file", type=Path, nargs="+", metavar="FILE", help=texts("cli.lessons.file"))
     added.add_argument("--step", metavar="NAME", help=texts("cli.lessons.step"))
+    added.add_argument("--real-time", action="store_true", help=texts("cli.real_time"))
     return parser
 
 

@@ -20,6 +20,7 @@ from day6_core.lessons.stage import Stage
 from day6_core.reason import named_reason
 from day6_core.session.session import Session
 from day6_core.shell.desk import Desk
+from day6_core.virtual.surroundings import is_virtual
 
 SOON = 0.5
 """Seconds in which a check would notice what is there already, or that a wrong answer was taken."""
@@ -44,6 +45,7 @@ class Played:
     step: str
     line: int
     seconds: float = 0.0
+    """That passed on its machine; in virtual time they say nothing of the wall's."""
     faults: list[str] = field(default_factory=list)
     held_up: float = 0.0
     """Seconds for which the machine stood still while its solution went wrong."""
@@ -132,7 +134,8 @@ def apart() -> Iterator[None]:
     short = "/tmp" if os.name == "posix" and os.access("/tmp", os.W_OK | os.X_OK) else None  # it holds sockets
     with tempfile.TemporaryDirectory(prefix="d6l-", dir=short, ignore_cleanup_errors=True) as folder:
         os.environ["DAY6_RUNTIME_DIR"] = folder
-        os.environ.pop("DAY6_LINK", None)
+        if not is_virtual():  # there it is a part of that
+            os.environ.pop("DAY6_LINK", None)
         os.environ.pop("ROS_DOMAIN_ID", None)
         try:
             yield

@@ -4,7 +4,7 @@ So a run takes no longer than what is computed in it, and is the same each time.
 Python imports `startup/sitecustomize.py` in each process of such a world, which puts in place what waits or tells the time
 (`follow`); the rest of day6-tui doesn't know. The threads of a process are the `kernel`'s, the processes the `coordinator`'s.
 
-A world with a person in it, the desktop's, is `paced`: time goes on as fast as the person wants, while what draws the picture and
+A world with a person in it, the desktop's, is `paced`: time goes on as fast as the person wants, and what draws the picture and
 takes keys lives in real time.
 
 `surroundings` says how a world begins, and what its processes find in their environment.

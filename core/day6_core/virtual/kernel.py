@@ -113,6 +113,8 @@ class Kernel:
         """What Python writes the numbers of signals to that have handlers."""
         self.handled = 0
         """How many signals have been."""
+        self.touched = True
+        """Whether something has been sent to this process since it last looked for what it is told of."""
 
     # -- clocks --------------------------------------------------------------------------------------------------------
 
@@ -166,6 +168,7 @@ class Kernel:
         self._watching.clear()
         self._arrived.clear()
         self._in_kernel = self.idling = False
+        self.now, self.yield_at = 0, LONGEST_READING_NS
 
     # -- waiting -------------------------------------------------------------------------------------------------------
 
@@ -273,8 +276,9 @@ class Kernel:
 
     def look(self) -> bool:
         """Look for what threads watch; return whether one can go on."""
+        touched, self.touched = self.touched, False
         for wait in list(self._watching):
-            if wait.watch is None or wait.woken:
+            if wait.watch is None or wait.woken or (wait.watch.told and not touched):
                 continue
             try:
                 is_there = wait.watch.is_there()
@@ -288,6 +292,11 @@ class Kernel:
     def has_turn(self) -> bool:
         """Whether a thread can go on."""
         return bool(self._ready)
+
+    def told_no_more(self) -> None:
+        """From now on, nobody may say what comes through descriptors."""
+        for watch in self.watched:
+            watch.told = watch.told and not watch.fds
 
     @property
     def watched(self) -> list[Watch]:
@@ -339,6 +348,10 @@ class Kernel:
     def deliver(self, number: int) -> None:
         """Have the main thread call a handler when it has its turn."""
         self._arrived.append(number)
+        self.attend()
+
+    def attend(self) -> None:
+        """Give the main thread a turn, in which Python has it see the signals that have come."""
         self.main.signalled = True
         if self.main.waiting:
             self._queue(self.main)
@@ -348,5 +361,6 @@ class Kernel:
             number = self._arrived.popleft()
             handler = self.handlers.get(number)
             self.handled += 1
+            self.touched = True
             if handler is not None:
                 handler(number, None)

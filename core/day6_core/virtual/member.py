@@ -13,7 +13,7 @@ import signal
 import socket
 
 from day6_core.virtual.kernel import LONGEST_READING_NS, Kernel
-from day6_core.virtual.wire import NEVER, SIZE, Flag, Kind, packed, unpacked
+from day6_core.virtual.wire import NEVER, SENT_BY_SYSTEM, SIZE, Flag, Kind, packed, unpacked
 
 _poll, _raise_signal = select.poll, signal.raise_signal
 _recv, _send, _connect = socket.socket.recv, socket.socket.sendall, socket.socket.connect
@@ -34,6 +34,9 @@ def state_of(kernel: Kernel) -> tuple[int, int, int]:
 
 def deliver(kernel: Kernel, number: int) -> None:
     """Let a signal take effect that another process of the world has sent."""
+    if number == SENT_BY_SYSTEM:
+        kernel.attend()
+        return
     if number not in kernel.handlers:
         _raise_signal(number)
         return
@@ -51,7 +54,6 @@ class Member:
     def __init__(self, path: str) -> None:
         self._socket = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
         _connect(self._socket, path)
-        _send(self._socket, packed(Kind.HELLO, 0, os.getpid(), 0))
         self._waiting: list[bytes] = []
 
     def enter(self, kernel: Kernel) -> None:
@@ -72,6 +74,10 @@ class Member:
     def killed(self, target: int, number: int) -> None:
         """A signal was sent to a process, or to a group if negative."""
         self._waiting.append(packed(Kind.KILLED, 0, target, number))
+
+    def typed(self, group: int) -> None:
+        """It has typed something for a group of processes."""
+        self._waiting.append(packed(Kind.TYPED, 0, group, 0))
 
     def idle(self, kernel: Kernel) -> int:
         """Wait for the next turn; return the time, ns."""
@@ -101,9 +107,10 @@ class Member:
             data = _recv(self._socket, SIZE, socket.MSG_WAITALL)
             if len(data) < SIZE:
                 os._exit(1)  # the world has ended
-            kind, _, first, second = unpacked(data)
+            kind, flags, first, second = unpacked(data)
             if kind == Kind.GO:
                 self.number = self.number or second
+                kernel.touched = kernel.touched or flags != 0
                 return int(first)
             if kind == Kind.SIGNAL:
                 deliver(kernel, first)

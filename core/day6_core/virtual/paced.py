@@ -99,12 +99,12 @@ class PacedKernel(Kernel):
         """Look for what threads watch; return whether one can go on."""
         if not self.alone:
             return super().look()
-        watching = self._watching
+        watching, touched = self._watching, self.touched
         self._watching = {wait: None for wait in watching if wait.ident in self.people}
         try:
             return super().look()
         finally:
-            self._watching = watching
+            self._watching, self.touched = watching, touched
 
     def forked(self) -> None:
         """In the child of a fork, nobody is a person."""

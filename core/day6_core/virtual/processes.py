@@ -9,13 +9,15 @@ if sys.platform != "linux":
 
 import os
 import select
+import time
 from collections.abc import Container, Iterator
 from itertools import count
 from pathlib import Path
 
 from day6_core.virtual.surroundings import identity
 
-_poll = select.poll
+_poll, sleep = select.poll, time.sleep
+_LOOKS_FOR_STOPPED = 200
 _restless = count(-2, -1)
 _WAITING_FOR_INPUT = (
     *("pipe_read", "anon_pipe_read", "pipe_wait", "pipe_wait_readable"),
@@ -43,8 +45,18 @@ def stirred(pid: int) -> int:
         fields = _stat(f"{thread}/stat")
         if fields and fields[0] in "RDZX":
             return next(_restless)
-        times += _slices(f"{thread}/schedstat")
+        times += _scheduled(f"{thread}/schedstat")[2]
     return times
+
+
+def used(pid: int) -> tuple[float, float]:
+    """Return for how many seconds its threads have had a core, and for how many they have wanted one."""
+    had = wanted = 0.0
+    for thread in _threads(pid):
+        cpu, waited, _ = _scheduled(f"{thread}/schedstat")
+        had += cpu / 1e9
+        wanted += (cpu + waited) / 1e9
+    return had, wanted
 
 
 def tree_stirred(pid: int, known: Container[int]) -> int:
@@ -55,6 +67,26 @@ def tree_stirred(pid: int, known: Container[int]) -> int:
             more = tree_stirred(child, known)
             times = times + more if more >= 0 else more
     return times
+
+
+def tree(pid: int) -> list[int]:
+    """Return a process and all that it has started and they have."""
+    found = [pid]
+    for each in found:
+        found += _children(each)
+    return found
+
+
+def parent_of(pid: int) -> int:
+    """Return who has started a process, 0 if it is gone."""
+    fields = _stat(f"/proc/{pid}/stat")
+    return int(fields[1]) if fields else 0
+
+
+def started_at(pid: int) -> int:
+    """Return when a process was started, in ticks since the machine was, 0 if it is gone."""
+    fields = _stat(f"/proc/{pid}/stat")
+    return int(fields[19]) if len(fields) > 19 else 0
 
 
 def tree_waits_for_others(pid: int, known: Container[int], outside: str) -> bool:
@@ -69,6 +101,16 @@ def tree_waits_for_others(pid: int, known: Container[int], outside: str) -> bool
     if places.intersection(_WAITING_FOR_INPUT) and identity(f"/proc/{pid}/fd/0") == outside:
         return False
     return all(child in known or tree_waits_for_others(child, known, outside) for child in _children(pid))
+
+
+def is_stopped_soon(pid: int) -> bool:
+    """Return whether a process that was sent a signal to stop does so. It takes effect when the process next has a core."""
+    for _ in range(_LOOKS_FOR_STOPPED):
+        fields = _stat(f"/proc/{pid}/stat")
+        if not fields or fields[0] in "TtZX":
+            return bool(fields) and fields[0] in "Tt"
+        sleep(0.001)
+    return False
 
 
 def command_of(pid: int) -> str:
@@ -105,10 +147,10 @@ def _children(pid: int) -> list[int]:
     return [int(child) for thread in _threads(pid) for child in _read(f"{thread}/children").split()]
 
 
-def _slices(path: str) -> int:
-    """How often a thread was given a core; 0 if it is gone."""
+def _scheduled(path: str) -> list[int]:
+    """For how long a thread had a core and waited for one, ns, and how often; zeros if it is gone."""
     fields = _read(path).split()
-    return int(fields[2]) if len(fields) > 2 else 0
+    return [int(field) for field in fields] if len(fields) == 3 else [0, 0, 0]
 
 
 def _stat(path: str) -> list[str]:

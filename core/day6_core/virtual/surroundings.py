@@ -17,6 +17,9 @@ NEW = "new"
 PACED = "paced"
 """The new world is one at a pace: a person takes part."""
 
+NOBODY = "nobody"
+"""In place of what comes from outside: nobody is there to be told anything, either."""
+
 _PREFIX = "day6-time-"
 _OUTSIDE = "outside"
 _AT_A_PACE = "paced"
@@ -30,9 +33,14 @@ class NotHere(OSError):
     """There is no virtual time on this system."""
 
 
+@cache
 def is_there() -> bool:
-    """Return whether there is virtual time on this system."""
-    return sys.platform == "linux"
+    """Return whether there is virtual time on this system: Linux that says of a process how often it has run."""
+    try:
+        with open("/proc/self/schedstat", encoding="ascii") as file:
+            return sys.platform == "linux" and file.read().split()[2:] != ["0"]
+    except OSError:
+        return False
 
 
 def is_virtual() -> bool:
@@ -40,8 +48,15 @@ def is_virtual() -> bool:
     return bool(os.environ.get(VARIABLE))
 
 
-def environment(base: Mapping[str, str], *, paced: bool = False) -> dict[str, str]:
+def is_due(*, real_time: bool) -> bool:
+    """Return whether a command that runs in virtual time where there is any has yet to begin anew for that."""
+    return is_there() and not is_virtual() and not real_time
+
+
+def environment(base: Mapping[str, str], world: str = "", *, paced: bool = False) -> dict[str, str]:
     """Return the variables for a program of Python that is the first of a new world, in which people take part if `paced`.
+
+    `world` is its folder, if that is made.
 
     Raises:
         NotHere: on systems other than Linux.
@@ -49,7 +64,9 @@ def environment(base: Mapping[str, str], *, paced: bool = False) -> dict[str, st
     if not is_there():
         raise NotHere
     env = dict(base)
-    env[VARIABLE] = PACED if paced else NEW
+    env[VARIABLE] = world or (PACED if paced else NEW)
+    if world:
+        env["DAY6_RUNTIME_DIR"] = world
     env["DAY6_LINK"] = "local"
     env.setdefault("PYTHONHASHSEED", "0")
     others = [each for each in env.get("PYTHONPATH", "").split(os.pathsep) if each not in ("", _STARTUP)]
@@ -187,23 +204,36 @@ def _make_folder() -> str:
     if len(os.fsencode(place)) > _LONGEST_PLACE:
         place = "/tmp"
     for name in os.listdir(place):
-        if name.startswith(_PREFIX) and not os.path.exists(f"/proc/{_first_of(name)}"):
+        world = os.path.join(place, name)
+        if is_left(world) and not os.path.exists(f"/proc/{_first_of(name)}"):
             with suppress(OSError):
-                _remove_own(os.path.join(place, name))
+                remove(world)
     for number in count():
         world = os.path.join(place, f"{_PREFIX}{os.getpid()}-{number}")
         with suppress(FileExistsError):
-            os.mkdir(world, 0o700)
+            make_world(world, identity(0))
             break
-    os.symlink(identity(0) or "nothing", os.path.join(world, _OUTSIDE))
     return world
 
 
-def _remove_own(world: str) -> None:
-    """Remove a folder that nobody else can have put there: one of this user's, and no link."""
-    status = os.lstat(world)
-    if stat.S_ISDIR(status.st_mode) and sys.platform != "win32" and status.st_uid == os.getuid():
-        remove(world)
+def make_world(world: str, outside: str = NOBODY) -> None:
+    """Make the folder of a world; its name begins with the number of the first process, and perhaps a prefix. Raises OSError.
+
+    What is read from a file of the identity `outside` comes from outside.
+    """
+    os.mkdir(world, 0o700)
+    os.symlink(outside or "nothing", os.path.join(world, _OUTSIDE))
+
+
+def is_left(world: str) -> bool:
+    """Return whether a folder is one of a world by its name, and nobody else can have put it there."""
+    if not os.path.basename(world).startswith(_PREFIX):
+        return False
+    try:
+        status = os.lstat(world)
+    except OSError:
+        return False
+    return stat.S_ISDIR(status.st_mode) and sys.platform != "win32" and status.st_uid == os.getuid()
 
 
 def _first_of(world: str) -> str:

@@ -11,6 +11,9 @@ from day6_core.virtual import surroundings
 TOLD_AFTER = 2.0
 """Real seconds for which time stands still before that is said."""
 
+Used = tuple[float, float]
+"""For how many seconds a process has had a core, and for how many it has wanted one."""
+
 _TEXTS = {
     "en": {
         "busy": "time stands still: {what} has been busy for 2 s without waiting",
@@ -27,6 +30,16 @@ _TEXTS = {
         "nothing": "再也不会有事发生：大家都在等别人（{what}）",
     },
 }
+
+
+def is_computing(before: Used, now: Used) -> bool:
+    """Return whether it has computed for so long, however long that took beside other programs."""
+    return now[0] - before[0] >= TOLD_AFTER * 0.9
+
+
+def is_waiting(before: Used, now: Used) -> bool:
+    """Return whether it has wanted no core in the meantime, so many seconds."""
+    return now[1] - before[1] < TOLD_AFTER / 10
 
 
 def tell(kind: str, what: str) -> None:

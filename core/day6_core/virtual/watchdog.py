@@ -5,13 +5,17 @@ from __future__ import annotations
 import _thread
 import os
 import sys
-import time
+
+if sys.platform != "linux":
+    raise ImportError("there is no virtual time on this system")
+
 from collections.abc import Callable
 
 from day6_core.virtual.kernel import Kernel
-from day6_core.virtual.told import TOLD_AFTER
+from day6_core.virtual.processes import used
+from day6_core.virtual.told import TOLD_AFTER, is_computing, is_waiting
 
-_start_new_thread, _allocate_lock, _cpu_time = _thread.start_new_thread, _thread.allocate_lock, time.process_time
+_start_new_thread, _allocate_lock = _thread.start_new_thread, _thread.allocate_lock
 _FOLDER = os.path.dirname(__file__)
 _LOOKS_EVERY = TOLD_AFTER / 4
 """Real seconds."""
@@ -26,13 +30,13 @@ def _watch(kernel: Kernel, tell: Callable[[str, str], None]) -> None:
     never = _allocate_lock()
     never.acquire()
     turn, told = -1, -1
-    looks: list[float] = []
+    looks: list[tuple[float, float]] = []
     while True:
         if kernel.turns != turn or kernel.idling:
             turn = kernel.turns
             looks.clear()
-        looks.append(_cpu_time())
-        if turn != told and (kind := _what_lasts(looks)) and (place := _place(kernel.running.ident)):
+        looks.append(used(os.getpid()))
+        if turn != told and (kind := what_lasts(looks)) and (place := _place(kernel.running.ident)):
             told = turn
             tell(kind, place)
         never.acquire(
@@ -40,12 +44,12 @@ def _watch(kernel: Kernel, tell: Callable[[str, str], None]) -> None:
         )  # as the other threads wait, and not as a program that sleeps; see `processes`
 
 
-def _what_lasts(looks: list[float]) -> str:
-    """What holds time: seconds of computing (however long those take beside other programs), or a time without any."""
-    if looks[-1] - looks[0] >= TOLD_AFTER * 0.9:
-        return "busy"
+def what_lasts(looks: list[tuple[float, float]]) -> str:
+    """Say what holds time, '' if nothing yet; a look is what `used` says."""
     before = len(looks) - 1 - round(TOLD_AFTER / _LOOKS_EVERY)
-    return "real" if before >= 0 and looks[-1] - looks[before] < TOLD_AFTER / 10 else ""
+    if is_computing(looks[0], looks[-1]):
+        return "busy"
+    return "real" if before >= 0 and is_waiting(looks[before], looks[-1]) else ""
 
 
 def _place(thread: int) -> str:

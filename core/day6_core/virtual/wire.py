@@ -9,6 +9,8 @@ from struct import Struct
 
 NEVER = -1
 """In place of a time."""
+SENT_BY_SYSTEM = 0
+"""In place of a signal's number: the system has sent one, perhaps, and Python has yet to see it."""
 
 _FRAME = Struct("<BBqq")
 SIZE = _FRAME.size
@@ -21,8 +23,6 @@ unpacked = _FRAME.unpack
 class Kind:
     """The kinds of frames, and what their two numbers are."""
 
-    HELLO = 1
-    """A process takes part: its number."""
     IDLE = 2
     """All its threads wait: its time, and until when it waits, or NEVER. With flags."""
     TOUCHED = 3
@@ -34,15 +34,18 @@ class Kind:
     WANTS = 6
     """Something has come from outside while it was idle."""
     GO = 7
-    """It may go on: the time, and the process's number in the world."""
+    """It may go on: the time, and the process's number in the world. With flags."""
     SIGNAL = 8
-    """Before GO: a signal for it, its number."""
+    """Before GO: a signal for it, its number; or SENT_BY_SYSTEM."""
     SLEEP = 9
     """Nothing will happen before something comes from outside: it has to watch its own descriptors."""
 
+    TYPED = 10
+    """It has typed something in the terminal of a group of processes: its number."""
+
 
 class Flag:
-    """What a process tells of itself when it is idle."""
+    """What a process tells of itself when it is idle, and is told when it goes on."""
 
     RAN = 1
     """It did something since it was last idle, so others may find something in their descriptors."""
@@ -50,3 +53,5 @@ class Flag:
     """It waits for descriptors of which nobody tells it when something comes."""
     HOLDS = 4
     """It waits for something from outside, as long as it takes: time stands still."""
+    TOUCHED = 8
+    """Something has been sent to it."""

@@ -78,7 +78,7 @@ def build_parser(language: str = "en") -> CommandParser:
     add("--build-dir", type=Path, metavar="DIR", help=texts("cli.test.build_dir"))
     add("--parallel-workers", type=values.whole(1, 1000), metavar="N", help=texts("cli.test.workers"))
     add("--pytest-args", metavar="WORDS", help=texts("cli.test.pytest_args"))
-    add("--real-time", action="store_true", help=texts("cli.test.real_time"))
+    add("--real-time", action="store_true", help=texts("cli.real_time"))
     add("--allow-no-tests", action="store_true", help=texts("cli.test.allow_none"))
     return parser
 
@@ -119,7 +119,7 @@ class _Run:
         """Build, test and report; returns the exit status."""
         from day6_core.ros.environment import activate, as_program
         from day6_core.session.argument_parser import ParserExit
-        from day6_core.virtual.surroundings import is_there
+        from day6_core.virtual.surroundings import is_due
         from day6_core.workspace.arguments import parse
         from day6_core.workspace.colcon import Colcon
         from day6_core.workspace.command import in_thread
@@ -142,7 +142,7 @@ class _Run:
                 *(("--parallel-workers", str(workers)) if workers else ()),
             )
             args = parse(session, list(words))
-            around = partial(own_graph, fast=is_there() and not self._options.real_time)
+            around = partial(own_graph, fast=is_due(real_time=self._options.real_time))
             return Colcon(args, console, self._workspace, environment, handlers=[report], around_test=around)
 
         async def run(verb: str, *words: str) -> bool:

@@ -161,9 +161,9 @@ def begin(parser: CommandParser, options: argparse.Namespace, words: list[str]) 
         try:
             options.home, options.past = rewind.begin(options.home or default_home())
         except OSError as error:
-            from day6_core.reason import fault
+            from day6_core.reason import named_reason
 
-            return _refuse(fault(error))
+            return _refuse(named_reason(error))
         options.record = options.record if options.past is None else None  # it has its film already
     return run(Options(**vars(options), keeper=keeper))
 

@@ -79,8 +79,8 @@ def begin(home: Path) -> tuple[Path, Past | None]:
     if surroundings.pace is None:
         return home, None
     kept = _kept()
-    before = os.environ.pop(_VARIABLE, "")
-    if not before:
+    before = Path(os.environ.pop(_VARIABLE, ""))
+    if before.name != _FOLDER or not surroundings.is_left(str(before.parent)):
         kept.mkdir()
         try:
             if _is_small(home):
@@ -91,7 +91,7 @@ def begin(home: Path) -> tuple[Path, Past | None]:
         return home, None
     os.rename(before, kept)
     with suppress(OSError):
-        surroundings.remove(os.path.dirname(before))
+        surroundings.remove(str(before.parent))
     shutil.rmtree(kept / _COPY, ignore_errors=True)
     _copy(kept / _FIRST, kept / _COPY)
     told = json.loads((kept / _JOURNAL).read_text(encoding="utf-8"))

@@ -204,6 +204,7 @@ TEXTS = {
     "cli.exec.arguments": "$1, $2 … in these lines",
     "cli.fast": "in virtual time: as fast as it can be computed, the same each time (Linux)",
     "cli.fast.not.here": "virtual time works on Linux only",
+    "cli.real_time": "in real time instead of virtual time",
     "cli.exec.timeout": "end everything after S seconds, with status {status}",
     "cli.exec.home.failed": "the home folder cannot be used: {reason}",
     "cli.shell": (
@@ -314,7 +315,6 @@ TEXTS = {
     "cli.test.build_dir": "build into build, install and log of this folder, as colcon does (default: a temporary folder)",
     "cli.test.workers": "packages at a time (default: as many as the machine has cores)",
     "cli.test.pytest_args": "more words for pytest, as one: --pytest-args='-k wheels -x'",
-    "cli.test.real_time": "let the tests run in real time instead of virtual time",
     "cli.test.allow_none": "exit with 0 also if no test was run",
     "cli.test.no_package": "there is no package to test in {workspace}",
     "cli.test.passed": "passed",

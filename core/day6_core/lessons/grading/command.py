@@ -28,12 +28,13 @@ from day6_core.lessons.tables import Exists, must_be_new, write_table
 from day6_core.lessons.texts import Say
 from day6_core.reason import reason
 from day6_core.session.harmless import lines, one_line
+from day6_core.virtual.surroundings import is_there
 
 Tell = Callable[..., int]
 """Says a text by its key and what fills it; returns the exit status."""
 
-JOBS_FOR_A_CORE = 10
-"""A submission waits most of its time: for a turtle to arrive, for the next message."""
+JOBS_FOR_A_CORE = 1 if is_there() else 10
+"""In real time a submission waits most of its time: for a turtle to arrive, for the next message."""
 
 MEMORY_FOR_A_JOB = 250 * 2**20
 

@@ -27,10 +27,17 @@ from day6_core.lessons.grading.grades import ANSWERS, Grade, Graded
 from day6_core.lessons.grading.marks import Mark, Seen, both
 from day6_core.lessons.grading.scenarios import Grading, longest
 from day6_core.lessons.texts import Say
+from day6_core.virtual.surroundings import is_there
 
 WARDEN = "day6_core.lessons.grading.warden"
 PATIENCE = 10.0
 """Seconds that a warden gets beyond its submission's, before it is ended too."""
+
+OWN_SHARE = 4
+"""How many times as long it is given in virtual time, where it counts only what a submission takes itself on a busy machine."""
+
+OVER = b'{"over": true}\n'
+"""What a warden says at the end of each submission."""
 
 LARGEST_REPORT = 2_000_000
 
@@ -90,10 +97,14 @@ class Grader:
         seconds: float | None = None,
         seed: str = "",
         shielded: bool = True,
+        virtual: bool = True,
         answers: Mapping[str, Mapping[str, str]] | None = None,
         hidden: Iterable[Path] = (),
     ) -> None:
-        """`hidden`: folders in which no program of a submission finds anything; no submission finds another, either."""
+        """`hidden`: folders in which no program of a submission finds anything; no submission finds another, either.
+
+        `virtual`: in virtual time, where there is any.
+        """
         self.seed = seed or secrets.token_hex(8)
         self._gradings = gradings
         self._hidden = set(map(os.path.realpath, hidden))
@@ -102,9 +113,12 @@ class Grader:
         self.closed: Path | None = None
         """The folder because of which programs of submissions run as root."""
         self._seconds = longest(gradings) if seconds is None else seconds
+        self._virtual = virtual and is_there()
         self._shield = shield.Shield.WHOLE if shielded else shield.Shield.NONE
         self._answers = right_answers(each.lesson for each in gradings) if answers is None else answers
         self._wardens: set[subprocess.Popen[bytes]] = set()
+        self._free: list[subprocess.Popen[bytes]] = []
+        """Those of them that have nothing to do."""
         self._lock = threading.Lock()
         self._stopped = False
 
@@ -143,6 +157,8 @@ class Grader:
                 pool.shutdown(wait=False, cancel_futures=True)
                 self.stop()
                 raise
+            while self._free:
+                self._end(self._free.pop())
         return found
 
     def stop(self) -> None:
@@ -206,27 +222,44 @@ class Grader:
         """What the warden and the judge said about one submission."""
         job = {
             "archive": str(file.absolute()), "seed": self.seed, "seconds": self._seconds, "shield": self._shield.value,
-            "gradings": self._texts, "user": self._user(), "hidden": sorted(self._hidden), **chosen,
+            "gradings": self._texts, "user": self._user(), "hidden": sorted(self._hidden),
+            "virtual": self._virtual, **chosen,
         }  # fmt: skip
-        if self._stopped:
+        warden = self._warden()
+        if warden is None:
             return []
-        warden = subprocess.Popen(
-            [sys.executable, "-I", "-m", WARDEN],
-            stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, start_new_session=True,
-        )  # fmt: skip
-        with self._lock:
-            self._wardens.add(warden)
+        end = threading.Timer(self._seconds * (OWN_SHARE if self._virtual else 1) + PATIENCE, _kill, [warden])
+        end.daemon = True
+        end.start()
         try:
-            text, _ = warden.communicate(json.dumps(job).encode() + b"\n", self._seconds + PATIENCE)
-        except subprocess.TimeoutExpired:
-            if sys.platform != "win32":
-                with contextlib.suppress(ProcessLookupError, PermissionError):
-                    os.killpg(warden.pid, signal.SIGKILL)
-            text, _ = warden.communicate()
+            text, is_over = _report(warden, json.dumps(job).encode() + b"\n")
         finally:
-            with self._lock:
-                self._wardens.discard(warden)
-        return _lines(text[:LARGEST_REPORT])
+            end.cancel()
+        if is_over:
+            self._free.append(warden)
+        else:
+            self._end(warden)
+        return _lines(text)
+
+    def _warden(self) -> subprocess.Popen[bytes] | None:
+        """One that has nothing to do; None when all is to end."""
+        with self._lock:
+            if self._stopped:
+                return None
+            if self._free:
+                return self._free.pop()
+            warden = subprocess.Popen(
+                [sys.executable, "-I", "-m", WARDEN],
+                stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, start_new_session=True,
+            )  # fmt: skip
+            self._wardens.add(warden)
+            return warden
+
+    def _end(self, warden: subprocess.Popen[bytes]) -> None:
+        """Let one end that has nothing to do any more, or has ended already."""
+        warden.communicate()
+        with self._lock:
+            self._wardens.discard(warden)
 
     def _take(self, graded: Graded, said: dict[str, Any]) -> None:
         if "refused" in said:
@@ -270,6 +303,28 @@ class Grader:
             if result.ended is None and result.scenario != ANSWERS:
                 result.conclude(Mark.UNPLAYED if result.began is None else mark, wanted, saw)
             result.look_for_lag(graded.stalls, ended)
+
+
+def _report(warden: subprocess.Popen[bytes], job: bytes) -> tuple[bytes, bool]:
+    """Return what a warden says of a job, and whether it is there for another one."""
+    assert warden.stdin is not None and warden.stdout is not None
+    found: list[bytes] = []
+    left = LARGEST_REPORT
+    with contextlib.suppress(BrokenPipeError):
+        warden.stdin.write(job)
+        warden.stdin.flush()
+    while line := warden.stdout.readline(LARGEST_REPORT):
+        if line == OVER:
+            return b"".join(found), True
+        found.append(line[:left])
+        left -= len(found[-1])
+    return b"".join(found), False
+
+
+def _kill(warden: subprocess.Popen[bytes]) -> None:
+    if sys.platform != "win32":
+        with contextlib.suppress(ProcessLookupError, PermissionError):
+            os.killpg(warden.pid, signal.SIGKILL)
 
 
 def _is_among(result: Grade, only: Mapping[str, list[str]] | None) -> bool:

@@ -18,6 +18,7 @@ import time
 from collections.abc import Callable, Iterable
 from enum import Enum
 from pathlib import Path
+from typing import Any
 
 from day6_core.guardian import MARK
 from day6_core.reason import named_reason
@@ -30,6 +31,10 @@ MOST_MEMORY = 2 * 2**30
 MOST_DISK = 256 * 2**20
 LARGEST_FILE = 64 * 2**20
 LOOK_SECONDS = 0.15
+
+_fork: Any = getattr(os, "fork", None)  # not on Windows
+_waitpid, _kill, _open, _monotonic, _sleep = os.waitpid, os.kill, open, time.monotonic, time.sleep
+"""For what the warden does: it goes by the real time, although its judges may be in another; see there."""
 
 _NEW_USER, _NEW_NS, _NEW_PID, _NEW_NET, _NEW_IPC = 0x10000000, 0x00020000, 0x20000000, 0x40000000, 0x08000000
 _REC, _PRIVATE, _BIND, _NO_SUID, _NO_DEV = 0x4000, 1 << 18, 0x1000, 2, 4
@@ -54,10 +59,10 @@ def _prctl(option: int, value: int) -> None:
     ctypes.CDLL(None, use_errno=True).prctl(option, value, 0, 0, 0)
 
 
-def hide() -> None:
-    """Let no other process of this user look into this one: not its memory, its environment, its open files."""
+def hide(hidden: bool = True) -> None:
+    """Let no other process of this user look into this one: not its memory, its environment, its open files; or let it again."""
     if sys.platform == "linux":
-        _prctl(_DUMPABLE, 0)
+        _prctl(_DUMPABLE, 0 if hidden else 1)
 
 
 def end_with_parent() -> None:
@@ -106,13 +111,13 @@ def enter(work: Path, hidden: Iterable[str] = ()) -> int:
     except OSError as error:
         raise Unshielded(f"user namespace: {named_reason(error)}") from None
     reading, writing = os.pipe()
-    child = os.fork()
+    child: int = _fork()
     if child:
         os.close(writing)
-        with os.fdopen(reading, "rb") as answer:
+        with _open(reading, "rb") as answer:
             problem = answer.read()
         if problem:
-            os.waitpid(child, 0)
+            _waitpid(child, 0)
             raise Unshielded(problem.decode())
         return child
     os.close(reading)
@@ -183,23 +188,31 @@ def limit(seconds: float) -> None:
             resource.setrlimit(kind, (most, most) if hard == resource.RLIM_INFINITY else (min(most, hard), hard))
 
 
-def watch(child: int, seconds: float, processes: Callable[[], list[int]], late: Callable[[float], object]) -> str:
+def watch(
+    child: int,
+    seconds: float,
+    processes: Callable[[], list[int]],
+    late: Callable[[float], object],
+    *,
+    own_seconds: bool = False,
+) -> str:
     """Wait for `child` and reap everybody; returns '' when it ended, or 'time', 'processes', 'memory', 'killed'.
 
     `processes` are those that count. `late` hears of each look for how many seconds the machine kept this process, or one of
-    those, waiting for a core. What still runs afterwards is for the caller to end.
+    those, waiting for a core. What still runs afterwards is for the caller to end. `own_seconds` don't pass while they wait for a
+    core that others have.
     """
     if sys.platform == "win32":
         raise NotImplementedError  # nothing is graded there: `command.main` says so
-    deadline = time.monotonic() + seconds
+    left = seconds
     before: dict[int, tuple[bool, float]] = {}
-    looked = time.monotonic()
+    looked = _monotonic()
     while True:
         with contextlib.suppress(ChildProcessError):
-            while (found := os.waitpid(-1, os.WNOHANG))[0]:
+            while (found := _waitpid(-1, os.WNOHANG))[0]:
                 if found[0] == child:
                     return "killed" if os.WIFSIGNALED(found[1]) else ""
-        if time.monotonic() > deadline:
+        if left < 0:
             return "time"
         pids = processes()
         if len(pids) > MOST_PROCESSES:
@@ -207,13 +220,14 @@ def watch(child: int, seconds: float, processes: Callable[[], list[int]], late: 
         if own_memory(pids) > MOST_MEMORY:
             return "memory"
         now = {pid: _worked(pid) for pid in pids}
-        took, looked = time.monotonic() - looked, time.monotonic()
-        waited = [
-            took - (now[pid][1] - before[pid][1]) for pid in pids if pid in before and before[pid][0] and now[pid][0]
-        ]
+        took, looked = _monotonic() - looked, _monotonic()
+        ran = {pid: now[pid][1] - before[pid][1] for pid in pids if pid in before}
+        waited = [took - ran[pid] for pid in ran if before[pid][0] and now[pid][0]]
+        runs = any(is_ready for is_ready, _ in now.values())
+        left -= min(took, sum(ran.values())) if own_seconds and runs else took
         before = now
-        time.sleep(LOOK_SECONDS)
-        late(max(0.0, time.monotonic() - looked - LOOK_SECONDS, *waited))
+        _sleep(LOOK_SECONDS)
+        late(max(0.0, _monotonic() - looked - LOOK_SECONDS, *waited))
 
 
 def all_processes() -> list[int]:
@@ -259,9 +273,9 @@ def end_all(root: int, mark: str) -> None:
             pids = followers(root, mark)
             for pid in pids:
                 with contextlib.suppress(ProcessLookupError, PermissionError):
-                    os.kill(pid, number)
+                    _kill(pid, number)
             with contextlib.suppress(ChildProcessError):
-                while os.waitpid(-1, os.WNOHANG)[0]:
+                while _waitpid(-1, os.WNOHANG)[0]:
                     pass
             after = followers(root, mark)
             if not after or (number == signal.SIGSTOP and after == pids):

@@ -1,7 +1,11 @@
-"""The process around one judge: `python -I -m day6_core.lessons.grading.warden`, with a job as JSON on standard input.
+"""The process around one judge after the other: `python -I -m day6_core.lessons.grading.warden`, with jobs on standard input.
 
-It puts the judge behind its shield, watches time, processes and memory, and leaves nothing running. What the judge says goes
-through to standard output, a line of JSON for each thing; the last line is ours and says how it ended.
+A job is a line of JSON. For each, a child puts the judge behind its shield, watches time, processes and memory, and leaves
+nothing running. What the judge says goes through to standard output, a line of JSON for each thing; then comes a line of ours
+which says how it ended, and OVER.
+
+In virtual time the judge is forked, too, from a process that has everything imported. That lives by the time of no world: what it
+and its children need of the real one is taken from Python here and in `shield`, before it is replaced.
 """
 
 from __future__ import annotations
@@ -14,21 +18,72 @@ import signal
 import sys
 import time
 from collections import deque
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from day6_core.guardian import MARK
 from day6_core.lessons.grading import shield
+from day6_core.virtual import surroundings
 
 assert not TYPE_CHECKING or sys.platform != "win32"  # `command.main` says so there
 
 JUDGE = "day6_core.lessons.grading.judge"
+OVER = b'{"over": true}\n'
+HELD_SECONDS = 5.0
+"""For how long the programs of a submission may hold its time, by computing and by real waits; then it goes on beside them."""
+
 _KEPT = ("LANG", "LC_ALL", "TZ", "LD_LIBRARY_PATH", "DYLD_LIBRARY_PATH", "DAY6_WATCH")
+_fork, _waitpid, _read, _monotonic = os.fork, os.waitpid, os.read, time.monotonic
+
+Begin = Callable[[dict[str, Any]], None]
+"""Judges by a job, in a child; None where that is a program of its own."""
 
 
 def main() -> int:
     shield.end_with_parent()
-    job = json.loads(sys.stdin.readline())
+    shield.hide()
+    begin: Begin | None = None
+    for line in _lines():
+        job = json.loads(line)
+        if begin is None and job["virtual"]:
+            begin = _prepared(job)
+        child = _fork()
+        if not child:
+            os.dup2(os.open(os.devnull, os.O_RDWR), 0)
+            _serve(job, begin)
+            os._exit(0)
+        _waitpid(child, 0)
+        os.write(1, b"\n" + OVER)
+    return 0
+
+
+def _lines() -> Iterator[bytes]:
+    """The lines of standard input."""
+    begun = b""
+    while data := _read(0, 1 << 16):
+        *lines, begun = (begun + data).split(b"\n")
+        yield from lines
+
+
+def _prepared(job: dict[str, Any]) -> Begin:
+    """Import everything that such jobs take, for virtual time."""
+    os.environ.update({surroundings.VARIABLE: surroundings.NEW, **(variables := _environment())})
+    for name in os.environ.keys() - variables.keys() - {surroundings.VARIABLE}:
+        del os.environ[name]
+    from day6_core.virtual.follow import prepare
+
+    begin_world = prepare()
+    from day6_core.lessons.grading import judge
+
+    judge.prepare(job)
+
+    return lambda job: judge.judge(job, lambda: begin_world(HELD_SECONDS))
+
+
+def _serve(job: dict[str, Any], begin: Begin | None) -> None:
+    """Judge one submission."""
+    shield.end_with_parent()
     work = Path(job["work"])
     try:
         job["archive"] = os.open(job["archive"], os.O_RDONLY | os.O_NONBLOCK)
@@ -37,32 +92,28 @@ def main() -> int:
         job["hidden"] = []
     if job["user"] is not None:
         shield.give_up_root(job["user"], work)
-    if job["shield"] != shield.Shield.NONE.value:
-        status = _try_shielded(job, work)
-        if status is not None:
-            return status
+    if job["shield"] != shield.Shield.NONE.value and _try_shielded(job, work, begin):
+        return
     shield.hide()
     shield.adopt_orphans()
     mark = secrets.token_hex(8)
-    told = _watched(job, work, mark, lambda: shield.followers(os.getpid(), mark))
+    told = _watched(job, work, mark, lambda: shield.followers(os.getpid(), mark), begin)
     shield.end_all(os.getpid(), mark)
     shutil.rmtree(work, ignore_errors=True)
     _say(**told, shield=shield.Shield.NONE.value)
-    return 0
 
 
-def _try_shielded(job: dict[str, Any], work: Path) -> int | None:
-    """Judge behind the shield; None where there is none: then a process that had tried could not go back, so another tries."""
-    trial = os.fork()
+def _try_shielded(job: dict[str, Any], work: Path, begin: Begin | None) -> bool:
+    """Judge behind the shield; False where there is none: then a process that had tried could not go back, so another tries."""
+    trial = _fork()
     if trial:
-        _, status = os.waitpid(trial, 0)
+        _, status = _waitpid(trial, 0)
         code = os.waitstatus_to_exitcode(status)
-        if code == _NO_SHIELD:
-            return None
         if code < 0:
             _say(ended="killed", shield=shield.Shield.WHOLE.value)
-        return 0
+        return code != _NO_SHIELD
     shield.end_with_parent()
+    shield.hide(False)  # or its namespace would be nobody's
     try:
         inside = shield.enter(work, job["hidden"])
     except shield.Unshielded as reason:
@@ -71,9 +122,9 @@ def _try_shielded(job: dict[str, Any], work: Path) -> int | None:
     shield.hide()
     if inside:
         shield.end_with_parent()  # once more: the new namespace has forgotten it
-        _, status = os.waitpid(inside, 0)
+        _, status = _waitpid(inside, 0)
         os._exit(0 if os.waitstatus_to_exitcode(status) == 0 else 1)
-    _say(**_watched(job, work, "", shield.all_processes), shield=shield.Shield.WHOLE.value)
+    _say(**_watched(job, work, "", shield.all_processes, begin), shield=shield.Shield.WHOLE.value)
     os._exit(0)  # the first process inside: whatever still runs there ends with it
 
 
@@ -82,46 +133,55 @@ STALL, MOST_STALLS = 0.02, 10_000
 """Seconds from which on waiting for the machine is noted, and how often at most."""
 
 
-def _watched(job: dict[str, Any], work: Path, mark: str, processes: Any) -> dict[str, Any]:
+def _watched(job: dict[str, Any], work: Path, mark: str, processes: Any, begin: Begin | None) -> dict[str, Any]:
     """Start the judge and wait for it; returns how it ended, and when this process had to wait for the machine, how long."""
     for name in ("home", "run", "tmp"):
         (work / name).mkdir(mode=0o700)
-    reading, writing = os.pipe()
-    child = os.fork()
+    child = _fork()
     if not child:
-        _become_judge(job, work, mark, reading, writing)
-    os.close(reading)
-    with os.fdopen(writing, "wb") as pipe:
-        pipe.write(json.dumps(job).encode())
+        _become_judge(job, work, mark, begin)
     stalls: deque[tuple[float, float]] = deque(maxlen=MOST_STALLS)
 
     def late(seconds: float) -> None:
-        if seconds >= STALL:
-            stalls.append((time.monotonic(), round(seconds, 3)))
+        if seconds >= STALL and begin is None:
+            stalls.append((_monotonic(), round(seconds, 3)))
 
-    return {"ended": shield.watch(child, float(job["seconds"]), processes, late), "stalls": list(stalls)}
+    ended = shield.watch(child, float(job["seconds"]), processes, late, own_seconds=begin is not None)
+    return {"ended": ended, "stalls": list(stalls)}
 
 
-def _become_judge(job: dict[str, Any], work: Path, mark: str, reading: int, writing: int) -> None:
-    os.close(writing)
-    os.dup2(reading, 0)
+def _become_judge(job: dict[str, Any], work: Path, mark: str, begin: Begin | None) -> None:
     os.setsid()
     signal.signal(signal.SIGINT, signal.SIG_DFL)
     shield.limit(float(job["seconds"]))
-    environment = {name: os.environ[name] for name in _KEPT if name in os.environ}
+    environment = _environment()
     environment.update(
-        PATH=os.environ.get("PATH", os.defpath),
         HOME=str(work / "home"),
         TMPDIR=str(work / "tmp"),
         DAY6_RUNTIME_DIR=str(work / "run"),
-        DAY6_MEMORY_LIMIT="1024",
         ROS_LOG_DIR=str(work / "tmp" / "log"),
     )
     if mark:
         environment[f"{MARK}_GRADE"] = mark
-    environment.setdefault("LANG", "C.UTF-8")
     os.chdir(work)
+    if begin is not None:
+        surroundings.make_world(world := str(work / str(os.getpid())))
+        os.environ.update(surroundings.environment(environment, world))
+        begin(job)
+        os._exit(0)
+    with open(work / "tmp" / "job", "w+b") as file:
+        file.write(json.dumps(job).encode())
+        file.seek(0)
+        os.dup2(file.fileno(), 0)
+    os.unlink(work / "tmp" / "job")
     os.execve(sys.executable, [sys.executable, "-I", "-m", JUDGE], environment)
+
+
+def _environment() -> dict[str, str]:
+    """The variables of every judge."""
+    environment = {name: os.environ[name] for name in _KEPT if name in os.environ}
+    environment.update(PATH=os.environ.get("PATH", os.defpath), DAY6_MEMORY_LIMIT="1024")
+    return {"LANG": "C.UTF-8", **environment}
 
 
 def _say(**what: Any) -> None:

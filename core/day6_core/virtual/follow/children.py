@@ -9,6 +9,7 @@ if sys.platform != "linux":
 
 import _posixsubprocess
 import os
+import time
 from collections.abc import Callable
 from typing import Any, Protocol, TypeVar
 
@@ -30,6 +31,8 @@ class World(Protocol):
 
 _real_waitpid, _real_waitid, _real_kill, _real_killpg = os.waitpid, os.waitid, os.kill, os.killpg
 _kernel: Kernel
+_started: set[int] = set()
+"""Processes of whose end the coordinator tells."""
 _NOBODY = (0, 0)
 """What waitpid says where nobody has ended."""
 T = TypeVar("T")
@@ -43,10 +46,14 @@ def install(kernel: Kernel, world: Callable[[], World], enter_child: Callable[[]
     c: Any = _posixsubprocess
     fork_exec, posix_spawn, posix_spawnp, fork = c.fork_exec, os.posix_spawn, os.posix_spawnp, os.fork
 
+    def spawned(pid: int) -> None:
+        _started.add(pid)
+        world().spawned(pid)
+
     def fork_exec_and_tell(*args: Any) -> int:
         pid: int = fork_exec(*args)
         if pid and not _is_apart(args[5]):
-            world().spawned(pid)
+            spawned(pid)
         if len(args[3]) > 1:  # more than the pipe for errors of its start
             descriptors_were_shared()
         return pid
@@ -54,7 +61,7 @@ def install(kernel: Kernel, world: Callable[[], World], enter_child: Callable[[]
     def spawn_and_tell(original: Callable[..., int]) -> Callable[..., int]:
         def spawn(path: Any, argv: Any, env: Any, /, **kwargs: Any) -> int:
             pid = original(path, argv, env, **kwargs)
-            world().spawned(pid)
+            spawned(pid)
             return pid
 
         return spawn
@@ -63,8 +70,9 @@ def install(kernel: Kernel, world: Callable[[], World], enter_child: Callable[[]
         descriptors_were_shared()
         pid = fork()
         if pid:
-            world().spawned(pid)
+            spawned(pid)
         else:
+            _started.clear()
             enter_child()
         return pid
 
@@ -88,6 +96,8 @@ def install(kernel: Kernel, world: Callable[[], World], enter_child: Callable[[]
     subprocess: Any = sys.modules.get("subprocess")
     if subprocess is not None and hasattr(subprocess, "_fork_exec"):
         subprocess._fork_exec = fork_exec_and_tell
+    if subprocess is not None:
+        subprocess._time = time.monotonic
     system.posix_spawn, system.posix_spawnp = spawn_and_tell(posix_spawn), spawn_and_tell(posix_spawnp)
     system.fork, system.system = fork_and_tell, _system
     system.waitpid, system.wait, system.waitid = waitpid, lambda: waitpid(-1, 0), _waitid
@@ -107,17 +117,17 @@ def waitpid(pid: int, options: int, /) -> tuple[int, int]:
         found = _real_waitpid(pid, options | os.WNOHANG)
         return found if found != _NOBODY else None
 
-    return _wait_for_process(look, options) or _NOBODY
+    return _wait_for_process(look, options, told=pid in _started) or _NOBODY
 
 
 def _waitid(idtype: int, number: int, options: int, /) -> Any:
     real: Any = _real_waitid
-    return _wait_for_process(lambda: real(idtype, number, options | os.WNOHANG), options)
+    told = idtype == os.P_PID and number in _started
+    return _wait_for_process(lambda: real(idtype, number, options | os.WNOHANG), options, told=told)
 
 
-def _wait_for_process(look: Callable[[], T], options: int) -> T:
-    """The coordinator lets everybody look when one has ended."""
-    return _kernel.look_until(look, 0 if options & os.WNOHANG else None, told=True)
+def _wait_for_process(look: Callable[[], T], options: int, *, told: bool) -> T:
+    return _kernel.look_until(look, 0 if options & os.WNOHANG else None, told=told)
 
 
 def _follow_semaphores(module: Any) -> None:

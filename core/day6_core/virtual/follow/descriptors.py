@@ -12,7 +12,7 @@ import io
 import os
 import select
 import stat
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Sequence
 from typing import Any, TypeVar
 
 from day6_core.virtual.follow.imports import when_imported
@@ -23,23 +23,28 @@ from day6_core.virtual.surroundings import identity, outside
 T = TypeVar("T")
 
 _real_epoll, _real_poll, _real_select = select.epoll, select.poll, select.select
-_real_read = os.read
+_real_read, _real_write = os.read, os.write
+_TIOCGPTPEER = 0x5441
 _kernel: Kernel
 _told: Callable[[int], object]
+_typed: Callable[[int], object]
 _peers: dict[int, int] = {}
 """By `_socket_number`: the process at the other end of a socket, 0 if it is no Unix socket."""
 _tells = True
 """Whether every process tells what it sends through Unix sockets; not after descriptors were handed on to others."""
 
 
-def install(kernel: Kernel, touched: Callable[[int], object]) -> None:
-    """Have what waits for descriptors follow a kernel; who sends something to a process says so by `touched`."""
-    global _kernel, _told
-    _kernel, _told = kernel, touched
+def install(kernel: Kernel, touched: Callable[[int], object], typed: Callable[[int], object]) -> None:
+    """Have what waits for descriptors follow a kernel.
+
+    Who sends something to a process says so by `touched`, who types something for a group of processes by `typed`.
+    """
+    global _kernel, _told, _typed
+    _kernel, _told, _typed = kernel, touched, typed
     module: Any = select
     module.epoll, module.poll, module.select = Epoll, Poll, select_
     system: Any = os
-    system.read = read
+    system.read, system.write = read, write
     when_imported("selectors", _follow_selectors)
     when_imported("socket", _follow_sockets)
     files: Any = io
@@ -51,6 +56,7 @@ def descriptors_were_shared() -> None:
     """From now on, a Unix socket may be written to by a process that doesn't say so."""
     global _tells
     _tells = False
+    _kernel.told_no_more()
 
 
 def wait_until_ready(fd: int, events: int, seconds: float | None) -> bool:
@@ -58,12 +64,19 @@ def wait_until_ready(fd: int, events: int, seconds: float | None) -> bool:
     return bool(_look_until(lambda: is_ready(fd, events), seconds, [(fd, events)]))
 
 
-def _look_until(look: Callable[[], T], seconds: float | None, fds: Iterable[tuple[int, int]]) -> T:
+def _look_until(
+    look: Callable[[], T], seconds: float | None, fds: Sequence[tuple[int, int]], *, told: bool | None = None
+) -> T:
     """Return what is found by looking, once it is something or after these seconds; `fds` are with the events of poll()."""
-    listed = list(fds)
-    told = _tells and all(not events & ~(select.POLLIN | select.POLLPRI) and _peer_of(fd) for fd, events in listed)
-    holds = not told and any(_is_outside(fd) for fd, _ in listed)
-    return _kernel.look_until(look, None if seconds is None else int(seconds * 1e9), listed, told=told, holds=holds)
+    if told is None:
+        told = _are_told(fds)
+    holds = not told and any(_is_outside(fd) for fd, _ in fds)
+    return _kernel.look_until(look, None if seconds is None else int(seconds * 1e9), fds, told=told, holds=holds)
+
+
+def _are_told(fds: Sequence[tuple[int, int]]) -> bool:
+    """Whether all that can come through descriptors is told by who sends it."""
+    return _tells and all(not events & ~(select.POLLIN | select.POLLPRI) and _peer_of(fd) for fd, events in fds)
 
 
 def _is_outside(fd: int) -> bool:
@@ -97,6 +110,9 @@ class Epoll:
     def __init__(self, *args: Any) -> None:
         self._real = _real_epoll(*args)
         self._fds: dict[int, int] = {}
+        self._told = False
+        self._listed: list[tuple[int, int]] | None = None
+        """As `_fds`; None if that has changed since it was looked whether all of it is told of."""
         self.close, self.fileno = self._real.close, self._real.fileno
 
     @classmethod
@@ -108,20 +124,27 @@ class Epoll:
         """As there."""
         self._real.register(fd, eventmask)
         self._fds[_number(fd)] = eventmask
+        self._listed = None
 
     def modify(self, fd: Any, eventmask: int) -> None:
         """As there."""
         self._real.modify(fd, eventmask)
         self._fds[_number(fd)] = eventmask
+        self._listed = None
 
     def unregister(self, fd: Any) -> None:
         """As there."""
         self._fds.pop(_number(fd), None)
+        self._listed = None
         self._real.unregister(fd)
 
     def poll(self, timeout: float | None = None, maxevents: int = -1) -> list[tuple[int, int]]:
         """As there."""
-        return _look_until(lambda: self._real.poll(0, maxevents), _limit(timeout), self._fds.items())
+        fds = self._listed
+        if fds is None:
+            fds = self._listed = list(self._fds.items())
+            self._told = _are_told(fds)
+        return _look_until(lambda: self._real.poll(0, maxevents), _limit(timeout), fds, told=_tells and self._told)
 
     @property
     def closed(self) -> bool:
@@ -160,7 +183,7 @@ class Poll:
     def poll(self, timeout: float | None = None) -> list[tuple[int, int]]:
         """As there; the time limit is in milliseconds."""
         seconds = _limit(timeout)
-        return _look_until(lambda: self._real.poll(0), seconds and seconds / 1000, self._fds.items())
+        return _look_until(lambda: self._real.poll(0), seconds and seconds / 1000, list(self._fds.items()))
 
 
 def _limit(timeout: float | None) -> float | None:
@@ -183,7 +206,7 @@ def select_(rlist: Any, wlist: Any, xlist: Any, timeout: float | None = None, /)
         found = _real_select(*lists, 0)
         return found if any(found) else None
 
-    return _look_until(look, timeout, fds.items()) or ([], [], [])
+    return _look_until(look, timeout, list(fds.items())) or ([], [], [])
 
 
 def _follow_selectors(module: Any) -> None:
@@ -196,21 +219,45 @@ def _follow_selectors(module: Any) -> None:
 
 def read(fd: int, length: int, /) -> bytes:
     """As `os.read`."""
-    mode = os.fstat(fd).st_mode
-    if os.get_blocking(fd) and not stat.S_ISREG(mode) and not (stat.S_ISCHR(mode) and _returns_at_once(fd)):
-        wait_until_ready(fd, select.POLLIN, None)
+    if not stat.S_ISREG(os.fstat(fd).st_mode) and not _wait_for_input(fd):
+        return b""
     return _real_read(fd, length)
 
 
-def _returns_at_once(fd: int) -> bool:
-    """Whether this is a terminal that was told to give what it has, if only nothing."""
+def _wait_for_input(fd: int) -> bool:
+    """Wait as reading would; False if a terminal has nothing and was told not to wait for it, or only for a time."""
+    return not os.get_blocking(fd) or wait_until_ready(fd, select.POLLIN, _time_limit(fd) if os.isatty(fd) else None)
+
+
+def _time_limit(terminal: int) -> float | None:
+    """Seconds for which reading from a terminal waits, None if as long as it takes."""
     import termios
 
+    mode, characters = termios.tcgetattr(terminal)[3::3]
+    least, tenths = (n if isinstance(n, int) else n[0] for n in (characters[termios.VMIN], characters[termios.VTIME]))
+    return tenths / 10 if not mode & termios.ICANON and not least else None
+
+
+def write(fd: int, data: Any, /) -> int:
+    """As `os.write`."""
+    written = _real_write(fd, data)
+    if os.isatty(fd):
+        _let_arrive(fd)
+    return written
+
+
+def _let_arrive(fd: int) -> None:
+    """Wait until what was written to a terminal from outside has come in: Linux does that on a thread of its own."""
+    import fcntl
+
     try:
-        mode = termios.tcgetattr(fd)
-    except termios.error:
-        return False
-    return not mode[3] & termios.ICANON and mode[6][termios.VMIN] in (0, b"\0")
+        inside = fcntl.ioctl(fd, _TIOCGPTPEER, os.O_RDONLY | os.O_NOCTTY)
+    except OSError:
+        return  # this is the inside
+    is_ready(inside, select.POLLIN)  # waits for that thread
+    os.close(inside)
+    if group := os.tcgetpgrp(fd):
+        _typed(group)
 
 
 class Pipe(io.FileIO):
@@ -218,15 +265,13 @@ class Pipe(io.FileIO):
 
     def readinto(self, buffer: Any) -> Any:
         """As there."""
-        self._wait(select.POLLIN)
-        return super().readinto(buffer)
+        return super().readinto(buffer) if _wait_for_input(self.fileno()) else 0
 
     def read(self, size: int | None = -1) -> Any:
         """As there."""
         if size is None or size < 0:
             return self.readall()
-        self._wait(select.POLLIN)
-        return super().read(size)
+        return super().read(size) if _wait_for_input(self.fileno()) else b""
 
     def readall(self) -> Any:
         """As there."""
@@ -240,16 +285,13 @@ class Pipe(io.FileIO):
         left = memoryview(data).cast("B")
         size = len(left)
         while left:
-            self._wait(select.POLLOUT)
+            if os.get_blocking(self.fileno()):
+                wait_until_ready(self.fileno(), select.POLLOUT, None)
             written = super().write(left[: select.PIPE_BUF])
             if written is None:
                 return size - len(left) or None
             left = left[written:]
         return size
-
-    def _wait(self, events: int) -> None:
-        if os.get_blocking(self.fileno()):
-            wait_until_ready(self.fileno(), events, None)
 
 
 def _opening(real: Callable[..., Any]) -> Callable[..., Any]:
@@ -394,12 +436,16 @@ def _wait_for_socket(sock: Any) -> None:
 
 
 def _tell(fd: int) -> None:
-    pid = _peer_of(fd)
-    if pid:
-        _told(pid)
+    _say_touched(_peer_of(fd))
 
 
 def _forget(sock: Any) -> None:
     """A socket is about to be closed, which its other end sees."""
-    if pid := _peers.pop(_socket_number(sock.fileno()), 0):
+    _say_touched(_peers.pop(_socket_number(sock.fileno()), 0))
+
+
+def _say_touched(pid: int) -> None:
+    if pid == os.getpid():
+        _kernel.touched = True
+    elif pid:
         _told(pid)

@@ -28,8 +28,11 @@ def install(kernel: Kernel) -> None:
     thread.RLock = RLock
     if hasattr(thread, "lock"):  # 3.13
         thread.lock = Lock
+    import functools
     import threading
 
+    properties: Any = functools
+    properties.RLock = RLock
     module: Any = threading
     module._allocate_lock = module.Lock = Lock
     module.RLock = module._PyRLock = RLock
