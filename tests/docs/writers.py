@@ -99,6 +99,7 @@ AT_ONCE: dict[str, tuple[str, ...]] = {
         "day6_core/lessons/tables.py",
         "day6_core/lessons/grading/command.py",
         "day6_core/ros/programs/_drawn_pdf.py",
+        "day6_tui/features/rewind.py",
         "day6_core/ros/programs/rqt_console/model.py",
         "day6_core/ros/programs/rqt_graph/model/image.py",
         "day6_core/ros/programs/rqt_graph/model/rqt_graph.py",

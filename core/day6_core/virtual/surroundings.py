@@ -142,7 +142,8 @@ def in_real_time() -> None:
 def leave() -> None:
     """This process, which is about to end without Python's own end, leaves nothing of its world."""
     if pace is not None:
-        remove(os.environ[VARIABLE])
+        with suppress(OSError):  # a folder that a program of the world has locked
+            remove(os.environ[VARIABLE])
 
 
 # -- the folder of a world ---------------------------------------------------------------------------------------------

@@ -158,7 +158,12 @@ def begin(parser: CommandParser, options: argparse.Namespace, words: list[str]) 
         from day6_core.places import default_home
         from day6_tui.features import rewind
 
-        options.home, options.past = rewind.begin(options.home or default_home())
+        try:
+            options.home, options.past = rewind.begin(options.home or default_home())
+        except OSError as error:
+            from day6_core.reason import named_reason
+
+            return _refuse(named_reason(error))
         options.record = options.record if options.past is None else None  # it has its film already
     return run(Options(**vars(options), keeper=keeper))
 

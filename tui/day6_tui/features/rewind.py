@@ -11,12 +11,14 @@ from __future__ import annotations
 import asyncio
 import contextvars
 import json
+import logging
 import math
 import os
 import shutil
 import stat
 import threading
 from collections.abc import Callable
+from contextlib import suppress
 from itertools import groupby
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -25,6 +27,7 @@ from textual import events
 from textual.message import Message
 
 from day6_core.virtual import surroundings
+from day6_core.whole_file import replace_file
 from day6_tui.actions import Handlers
 from day6_tui.bars.notices import HINT_SECONDS, NOTICE_SECONDS
 from day6_tui.panes.pane import Piece
@@ -43,6 +46,7 @@ LOOK_NS = 1_000_000_000
 STOPS = ("ctrl+q", "escape")
 """Keys that are heard while the past is played again."""
 
+_log = logging.getLogger(__name__)
 _VARIABLE = "DAY6_REWIND"
 """Names the folder that is handed on to the world that begins anew."""
 _FOLDER, _FIRST, _COPY, _JOURNAL = "rewind", "first", "home", "journal.json"
@@ -78,11 +82,16 @@ def begin(home: Path) -> tuple[Path, Past | None]:
     before = Path(os.environ.pop(_VARIABLE, ""))
     if before.name != _FOLDER or not surroundings.is_left(str(before.parent)):
         kept.mkdir()
-        if _is_small(home):
-            _copy(home, kept / _FIRST)
+        try:
+            if _is_small(home):
+                _copy(home, kept / _FIRST)
+        except OSError as error:  # not all of it may be read
+            shutil.rmtree(kept / _FIRST, ignore_errors=True)
+            _log.warning("the home folder can't be copied: %s", error)
         return home, None
     os.rename(before, kept)
-    surroundings.remove(str(before.parent))
+    with suppress(OSError):
+        surroundings.remove(str(before.parent))
     shutil.rmtree(kept / _COPY, ignore_errors=True)
     _copy(kept / _FIRST, kept / _COPY)
     told = json.loads((kept / _JOURNAL).read_text(encoding="utf-8"))
@@ -178,7 +187,7 @@ class Rewind(Feature):
             "events": [each for each in self._events if each[0] <= until],
         }
         try:
-            (_kept() / _JOURNAL).write_text(json.dumps(told), encoding="utf-8")
+            replace_file(_kept() / _JOURNAL, json.dumps(told).encode(), sync=False)
         except OSError as error:
             from day6_core.reason import reason
 

@@ -32,7 +32,7 @@ TEXTS = {
     "bar.help": "F1 Help",
     "bar.starting": "starting …",
     "bar.playing": "typing for you",
-    "rewind.large": "there is no way back: your folder has more than {files} files or {size} MB, and isn't copied",
+    "rewind.large": "there is no way back: your folder can't be copied, or has more than {files} files or {size} MB",
     "rewind.failed": "there is no way back: {reason}",
     "rewind.plays": "playing again what was, as fast as it can; Esc: stop here",
     "rewind.there": "back at {time}, in a copy of your folder that is gone at the end",

@@ -32,7 +32,7 @@ TEXTS = {
     "bar.help": "F1 帮助",
     "bar.starting": "正在启动……",
     "bar.playing": "正在替你输入",
-    "rewind.large": "回不去：你的文件夹超过 {files} 个文件或 {size} MB，没有复制",
+    "rewind.large": "回不去：你的文件夹无法复制，或者超过 {files} 个文件或 {size} MB",
     "rewind.failed": "回不去：{reason}",
     "rewind.plays": "正在以最快速度重放；Esc：停在这里",
     "rewind.there": "回到了 {time}，从这里继续。这是你文件夹的副本，退出后就没有了",
