@@ -190,7 +190,7 @@ def test_who_wants_a_core_and_gets_none_is_late(monkeypatch: pytest.MonkeyPatch)
     reaped = iter([(0, 0), (0, 0), (0, 0), (0, 0), (5, 0)])
     monkeypatch.setattr(shield, "_worked", lambda pid: next(worked[pid]))
     monkeypatch.setattr(shield, "own_memory", lambda _: 0)
-    monkeypatch.setattr(shield, "_waitpid", lambda *_: next(reaped))
+    monkeypatch.setattr(shield, "waitpid", lambda *_: next(reaped))
     monkeypatch.setattr(shield, "_monotonic", lambda: wall)
     monkeypatch.setattr(shield, "_sleep_beside", lambda _, seconds: sleep(seconds))
     late: list[float] = []
@@ -214,7 +214,7 @@ def test_seconds_in_which_a_submission_waits_for_a_core_may_be_left_out(
 
     monkeypatch.setattr(shield, "_worked", lambda pid: (runs, wall / 100))
     monkeypatch.setattr(shield, "own_memory", lambda _: 0)
-    monkeypatch.setattr(shield, "_waitpid", lambda *_: (5, 0) if wall > 100 else (0, 0))
+    monkeypatch.setattr(shield, "waitpid", lambda *_: (5, 0) if wall > 100 else (0, 0))
     monkeypatch.setattr(shield, "_monotonic", lambda: wall)
     monkeypatch.setattr(shield, "_sleep_beside", lambda _, seconds: sleep(seconds))
     assert shield.watch(5, 60.0, lambda: [7], lambda _: None, own_seconds=own_seconds) == ended

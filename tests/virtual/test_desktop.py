@@ -68,8 +68,8 @@ def test_ten_times_as_fast_holds_for_a_program_of_the_users(world: World) -> Non
             choose(screen, "Faster time")
             screen.wait(f"{speed}  F1")
         began, first = time.monotonic(), stamps(screen.look())[-1]
-        screen.wait(lambda seen: stamps(seen)[-1] > first + 20 * SECOND)
-        assert time.monotonic() - began < 20
+        screen.wait(lambda seen: stamps(seen)[-1] > first + 40 * SECOND)
+        assert time.monotonic() - began < 40
         screen.quit()
         assert screen.wait_end() == 0
 

@@ -27,6 +27,7 @@ from zlib import crc32
 from day6_core.link.engine import LOCAL_TCP, is_local
 from day6_core.places import runtime_folders, shorter_runtime_folder
 from day6_core.reason import reason
+from day6_core.virtual.surroundings import is_virtual
 from day6_core.whole_file import PRIVATE, replace_file
 
 LONGEST_SOCKET_PATH = 100
@@ -124,7 +125,8 @@ def meeting_place(domain_id: int) -> MeetingPlace:
 
 
 def _domain_folder(base: Path, domain_id: int, tcp: bool) -> Path:
-    inside = ("local", str(domain_id)) if is_local() else (str(domain_id),)
+    is_beside_zenoh = is_local() and not is_virtual()
+    inside = ("local", str(domain_id)) if is_beside_zenoh else (str(domain_id),)
     if not tcp:
         base = _with_room(base, len("/".join(("", *inside, ""))) + _SOCKET_NAME_LENGTH)
     _private_folder(folder := base)
@@ -172,7 +174,7 @@ def neighbours(place: MeetingPlace) -> Iterator[Neighbour]:
 
 def count_with_zenoh(place: MeetingPlace) -> int:
     """Return how many processes of this user and domain use Zenoh while this one uses our own engine: it can't see them."""
-    if not is_local():
+    if not is_local() or is_virtual():
         return 0
     folder = place.folder.parents[1] / place.folder.name
     with suppress(OSError):

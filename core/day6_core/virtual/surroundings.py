@@ -21,7 +21,8 @@ NOBODY = "nobody"
 """In place of what comes from outside: nobody is there to be told anything, either."""
 
 _PREFIX = "day6-time-"
-_OUTSIDE = "outside"
+_OUTSIDE, _FIRST = "outside", "first"
+"""Links in its folder, whose targets are no files."""
 _AT_A_PACE = "paced"
 """A file in its folder."""
 _LONGEST_PLACE = 36
@@ -220,12 +221,13 @@ def _make_folder() -> str:
 
 
 def make_world(world: str, outside: str = NOBODY) -> None:
-    """Make the folder of a world; its name begins with the number of the first process, and perhaps a prefix. Raises OSError.
+    """Make the folder of a world whose first process is this one. Raises OSError.
 
     What is read from a file of the identity `outside` comes from outside.
     """
     os.mkdir(world, 0o700)
     os.symlink(outside or "nothing", os.path.join(world, _OUTSIDE))
+    os.symlink(str(os.getpid()), os.path.join(world, _FIRST))
 
 
 def is_left(world: str) -> bool:
@@ -240,4 +242,10 @@ def is_left(world: str) -> bool:
 
 
 def _first_of(world: str) -> str:
-    return os.path.basename(world).removeprefix(_PREFIX).partition("-")[0]
+    name = os.path.basename(world)
+    if name.startswith(_PREFIX):
+        return name.removeprefix(_PREFIX).partition("-")[0]
+    try:
+        return os.readlink(os.path.join(world, _FIRST))
+    except OSError:
+        return ""

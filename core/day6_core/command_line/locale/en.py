@@ -67,7 +67,7 @@ TEXTS = {
     "cli.desktop.home": "the folder that is ~ in the terminals",
     "cli.desktop.lesson": "open this lesson at once (day1 … day6, or the name of a drill)",
     "cli.desktop.lessons": "use the lessons in this folder (day6-tui lessons help explains how to write them)",
-    "cli.desktop.virtual_time": "time passes for all programs as fast as F9 says, up to as fast as they can (Linux)",
+    "cli.desktop.virtual_time": "pause, single steps and speeds hold for your own programs, too (Linux)",
     "cli.desktop.record": "record the screen into a new file, for asciinema or day6-tui cast",
     "cli.desktop.detach": "keep the desktop running when this terminal closes; day6-tui attach returns to it",
     "cli.desktop.listen": (

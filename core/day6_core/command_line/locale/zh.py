@@ -65,7 +65,7 @@ TEXTS = {
     "cli.desktop.home": "终端里的 ~ 是哪个文件夹",
     "cli.desktop.lesson": "打开这一课（day1 … day6，或者练习的名字）",
     "cli.desktop.lessons": "用这个文件夹里的课程（day6-tui lessons help 说明怎么写）",
-    "cli.desktop.virtual_time": "所有程序的时间都按 F9 的速度走，最快能算多快就多快（Linux）",
+    "cli.desktop.virtual_time": "暂停、单步和快慢对你自己的程序也有效（Linux）",
     "cli.desktop.record": "把屏幕录制到一个新文件，可以用 asciinema 或 day6-tui cast 播放",
     "cli.desktop.detach": "终端关了桌面也继续运行；用 day6-tui attach 回来",
     "cli.desktop.listen": "让别的电脑加入，例如 tcp/0.0.0.0:7447；不写 --secret 的话，能连上这个端口的人都可以读取和发命令",

@@ -34,8 +34,9 @@ MOST_DISK = 256 * 2**20
 LARGEST_FILE = 64 * 2**20
 LOOK_SECONDS = 0.15
 
-_fork: Any = getattr(os, "fork", None)  # not on Windows
-_waitpid, _kill, _open, _select = os.waitpid, os.kill, open, select.select
+fork: Any = getattr(os, "fork", None)  # not on Windows
+waitpid: Any = getattr(os, "waitpid", None)
+_kill, _open, _select = os.kill, open, select.select
 _monotonic, _sleep = time.monotonic, time.sleep
 """For what the warden does: it goes by the real time, although its judges may be in another; see there."""
 
@@ -114,13 +115,13 @@ def enter(work: Path, hidden: Iterable[str] = ()) -> int:
     except OSError as error:
         raise Unshielded(f"user namespace: {named_reason(error)}") from None
     reading, writing = os.pipe()
-    child: int = _fork()
+    child: int = fork()
     if child:
         os.close(writing)
         with _open(reading, "rb") as answer:
             problem = answer.read()
         if problem:
-            _waitpid(child, 0)
+            waitpid(child, 0)
             raise Unshielded(problem.decode())
         return child
     os.close(reading)
@@ -212,7 +213,7 @@ def watch(
     looked = _monotonic()
     while True:
         with contextlib.suppress(ChildProcessError):
-            while (found := _waitpid(-1, os.WNOHANG))[0]:
+            while (found := waitpid(-1, os.WNOHANG))[0]:
                 if found[0] == child:
                     return "killed" if os.WIFSIGNALED(found[1]) else ""
         if left < 0:
@@ -287,7 +288,7 @@ def end_all(root: int, mark: str) -> None:
                 with contextlib.suppress(ProcessLookupError, PermissionError):
                     _kill(pid, number)
             with contextlib.suppress(ChildProcessError):
-                while _waitpid(-1, os.WNOHANG)[0]:
+                while waitpid(-1, os.WNOHANG)[0]:
                     pass
             after = followers(root, mark)
             if not after or (number == signal.SIGSTOP and after == pids):

@@ -34,7 +34,8 @@ HELD_SECONDS = 5.0
 """For how long the programs of a submission may hold its time, by computing and by real waits; then it goes on beside them."""
 
 _KEPT = ("LANG", "LC_ALL", "TZ", "LD_LIBRARY_PATH", "DYLD_LIBRARY_PATH", "DAY6_WATCH")
-_fork, _waitpid, _read, _monotonic = os.fork, os.waitpid, os.read, time.monotonic
+_fork, _waitpid = shield.fork, shield.waitpid
+_read, _monotonic = os.read, time.monotonic
 
 Begin = Callable[[dict[str, Any]], None]
 """Judges by a job, in a child; None where that is a program of its own."""
@@ -151,6 +152,7 @@ def _watched(job: dict[str, Any], work: Path, mark: str, processes: Any, begin: 
 
 
 def _become_judge(job: dict[str, Any], work: Path, mark: str, begin: Begin | None) -> None:
+    shield.end_with_parent()
     os.setsid()
     signal.signal(signal.SIGINT, signal.SIG_DFL)
     shield.limit(float(job["seconds"]))
@@ -165,7 +167,7 @@ def _become_judge(job: dict[str, Any], work: Path, mark: str, begin: Begin | Non
         environment[f"{MARK}_GRADE"] = mark
     os.chdir(work)
     if begin is not None:
-        surroundings.make_world(world := str(work / str(os.getpid())))
+        surroundings.make_world(world := str(work / "w"))
         os.environ.update(surroundings.environment(environment, world))
         begin(job)
         os._exit(0)
