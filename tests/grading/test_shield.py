@@ -66,7 +66,7 @@ CODE = '''
 import contextlib, os, socket, struct, threading, time
 frame, world = struct.Struct("<BBqq").pack, os.environ["DAY6_TIME"]
 IDLE, TOUCHED, SPAWNED, KILLED, WANTS = range(2, 7)
-judge = int(os.path.basename(world))
+judge = int(os.readlink(world + "/first"))
 def connected():
     made = socket.socket(socket.AF_UNIX)
     made.connect(world + "/socket")
