@@ -5,7 +5,8 @@ from __future__ import annotations
 import re
 import signal
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 import pytest
@@ -31,6 +32,16 @@ def begin(world: World, *options: str, **size: int) -> Terminal:
     return world.desktop("--virtual-time", *(options or ("--scene", "empty")), **size)
 
 
+@contextmanager
+def at_prompt(world: World, *options: str, **size: int) -> Iterator[Terminal]:
+    """A desktop whose terminal waits for a line, and which ends well when it is left at last."""
+    with begin(world, *options, **size) as screen:
+        screen.wait(PROMPT)
+        yield screen
+        screen.quit()
+        assert screen.wait_end() == 0
+
+
 def choose(screen: Terminal, action: str) -> None:
     """By the list of all commands."""
     screen.press("F7")
@@ -50,8 +61,7 @@ def reaches(moment: int) -> Callable[[str], bool]:
 
 
 def test_ten_minutes_of_a_talker_pass_at_once_while_keys_are_heard(world: World) -> None:
-    with begin(world) as screen:
-        screen.wait(PROMPT)
+    with at_prompt(world) as screen:
         screen.line("python3 talker.py")
         screen.wait("Hello 0")
         choose(screen, "As fast as")
@@ -61,13 +71,10 @@ def test_ten_minutes_of_a_talker_pass_at_once_while_keys_are_heard(world: World)
         screen.wait_lines("42")
         screen.press("F9")
         screen.wait("paused")
-        screen.quit()
-        assert screen.wait_end() == 0
 
 
 def test_ten_times_as_fast_holds_for_a_program_of_the_users(world: World) -> None:
-    with begin(world) as screen:
-        screen.wait(PROMPT)
+    with at_prompt(world) as screen:
         screen.line("python3 talker.py")
         screen.wait("Hello 0")
         for speed in ("2×", "5×", "10×"):
@@ -76,13 +83,10 @@ def test_ten_times_as_fast_holds_for_a_program_of_the_users(world: World) -> Non
         began, first = time.monotonic(), max(stamps(screen.wait(reaches(0))))
         screen.wait(reaches(first + 40 * SECOND))
         assert time.monotonic() - began < 40
-        screen.quit()
-        assert screen.wait_end() == 0
 
 
 def test_a_pause_stops_all_programs_and_nothing_that_a_person_sees(world: World) -> None:
-    with begin(world) as screen:
-        screen.wait(PROMPT)
+    with at_prompt(world) as screen:
         screen.line("python3 talker.py")
         screen.wait("Hello 1")
         screen.press("F9")
@@ -101,14 +105,11 @@ def test_a_pause_stops_all_programs_and_nothing_that_a_person_sees(world: World)
         choose(screen, "One time step")
         screen.press("F9")
         screen.wait(reaches(before[-1]))
-        screen.quit()
-        assert screen.wait_end() == 0
 
 
 def test_a_busy_program_is_told_of_and_holds_up_no_key(world: World) -> None:
     world.home_file("busy.py", "print('be' + 'gins', flush=True)\nwhile True: pass\n")
-    with begin(world) as screen:
-        screen.wait(PROMPT)
+    with at_prompt(world) as screen:
         choose(screen, "As fast as")
         screen.wait(FAST)
         screen.line("python3 busy.py")
@@ -118,21 +119,16 @@ def test_a_busy_program_is_told_of_and_holds_up_no_key(world: World) -> None:
         screen.wait_lines("42")
         screen.press("Alt-1", "Ctrl-C")
         screen.wait("KeyboardInterrupt")
-        screen.quit()
-        assert screen.wait_end() == 0
 
 
 def test_what_time_stands_still_for_is_said_in_the_line_of_notices(world: World) -> None:
     world.home_file("waits.py", "import subprocess\nsubprocess.run(['sleep', '1000'])\n")
-    with begin(world) as screen:
-        screen.wait(PROMPT)
+    with at_prompt(world) as screen:
         screen.line("python3 waits.py")
         seen = screen.wait("time stands still while sleep 1000")
         assert "time stands still while sleep 1000" in seen.splitlines()[-1]
         screen.press("Ctrl-C")
         screen.wait("KeyboardInterrupt")
-        screen.quit()
-        assert screen.wait_end() == 0
 
 
 @pytest.mark.parametrize("how", ["hang up", "interrupt", "kill"])
@@ -153,14 +149,11 @@ def test_an_end_at_full_speed_leaves_nothing(world: World, how: str) -> None:
 
 
 def test_the_size_may_change_while_it_is_paused(world: World) -> None:
-    with begin(world) as screen:
-        screen.wait(PROMPT)
+    with at_prompt(world) as screen:
         screen.press("F9")
         screen.wait("paused")
         screen.resize(100, 30)
         screen.wait(lambda seen: seen.splitlines()[-1].endswith("Quit") and seen.count("\n") == 29)
-        screen.quit()
-        assert screen.wait_end() == 0
 
 
 @pytest.mark.parametrize("option", ["--listen", "--connect"])

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from tests.virtual.test_desktop import FAST, PROMPT, SECOND, begin, choose, reaches, stamps
+from tests.virtual.test_desktop import FAST, PROMPT, SECOND, at_prompt, begin, choose, reaches, stamps
 
 if TYPE_CHECKING:
     from tests.e2e.terminal import Terminal
@@ -72,18 +72,14 @@ def test_a_folder_that_is_too_large_is_left_alone(world: World) -> None:
         (world.home / f"folder{number}").mkdir(parents=True)
         for each in range(500):
             (world.home / f"folder{number}" / str(each)).touch()
-    with begin(world) as screen:
-        screen.wait(PROMPT)
+    with at_prompt(world) as screen:
         choose(screen, "Back 10 s")
         screen.wait("there is no way back")
-        screen.quit()
-        assert screen.wait_end() == 0
 
 
 def test_a_replay_takes_another_size_and_can_be_stopped(world: World) -> None:
     world.home_file("long.py", "import time\nfor _ in range(10**9): time.sleep(0.001)\n")
-    with begin(world) as screen:
-        screen.wait(PROMPT)
+    with at_prompt(world) as screen:
         screen.line("python3 long.py")
         choose(screen, "As fast as")
         screen.wait(FAST)
@@ -93,5 +89,3 @@ def test_a_replay_takes_another_size_and_can_be_stopped(world: World) -> None:
         screen.resize(100, 30)
         screen.press("Esc")
         screen.wait(THERE, lambda seen: seen.count("\n") == 29)
-        screen.quit()
-        assert screen.wait_end() == 0

@@ -16,7 +16,7 @@ from pathlib import Path
 
 from day6_core.virtual.surroundings import identity
 
-_poll, sleep = select.poll, time.sleep
+_poll, _sleep = select.poll, time.sleep
 _LOOKS_FOR_STOPPED = 200
 _restless = count(-2, -1)
 _WAITING_FOR_INPUT = (
@@ -109,7 +109,7 @@ def is_stopped_soon(pid: int) -> bool:
         fields = _stat(f"/proc/{pid}/stat")
         if not fields or fields[0] in "TtZX":
             return bool(fields) and fields[0] in "Tt"
-        sleep(0.001)
+        _sleep(0.001)
     return False
 
 

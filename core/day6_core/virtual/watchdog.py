@@ -13,7 +13,7 @@ from collections.abc import Callable
 
 from day6_core.virtual.kernel import Kernel
 from day6_core.virtual.processes import used
-from day6_core.virtual.told import TOLD_AFTER, is_computing, is_waiting
+from day6_core.virtual.told import TOLD_AFTER, Used, is_computing, is_waiting
 
 _start_new_thread, _allocate_lock = _thread.start_new_thread, _thread.allocate_lock
 _FOLDER = os.path.dirname(__file__)
@@ -30,7 +30,7 @@ def _watch(kernel: Kernel, tell: Callable[[str, str], None]) -> None:
     never = _allocate_lock()
     never.acquire()
     turn, told = -1, -1
-    looks: list[tuple[float, float]] = []
+    looks: list[Used] = []
     while True:
         if kernel.turns != turn or kernel.idling:
             turn = kernel.turns
@@ -39,12 +39,11 @@ def _watch(kernel: Kernel, tell: Callable[[str, str], None]) -> None:
         if turn != told and (kind := what_lasts(looks)) and (place := _place(kernel.running.ident)):
             told = turn
             tell(kind, place)
-        never.acquire(
-            timeout=_LOOKS_EVERY
-        )  # as the other threads wait, and not as a program that sleeps; see `processes`
+        # As the other threads wait, and not as a program that sleeps; see `processes`.
+        never.acquire(timeout=_LOOKS_EVERY)
 
 
-def what_lasts(looks: list[tuple[float, float]]) -> str:
+def what_lasts(looks: list[Used]) -> str:
     """Say what holds time, '' if nothing yet; a look is what `used` says."""
     before = len(looks) - 1 - round(TOLD_AFTER / _LOOKS_EVERY)
     if is_computing(looks[0], looks[-1]):

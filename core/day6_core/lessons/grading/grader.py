@@ -24,6 +24,7 @@ from day6_core.lessons.catalogue import days
 from day6_core.lessons.document import Lesson
 from day6_core.lessons.grading import shield
 from day6_core.lessons.grading.grades import ANSWERS, Grade, Graded
+from day6_core.lessons.grading.limits import OVER
 from day6_core.lessons.grading.marks import Mark, Seen, both
 from day6_core.lessons.grading.scenarios import Grading, longest
 from day6_core.lessons.texts import Say
@@ -35,9 +36,6 @@ PATIENCE = 10.0
 
 OWN_SHARE = 4
 """How many times as long it is given in virtual time, where it counts only what a submission takes itself on a busy machine."""
-
-OVER = b'{"over": true}\n'
-"""What a warden says at the end of each submission."""
 
 LARGEST_REPORT = 2_000_000
 

@@ -19,3 +19,6 @@ ENDING_SECONDS = 1.0
 """For programs to end when they are asked to, and again when they are not asked."""
 
 MOST_JOBS = 64
+
+OVER = b'{"over": true}\n'
+"""What a warden says at the end of each submission."""

@@ -24,17 +24,16 @@ from typing import TYPE_CHECKING, Any
 
 from day6_core.guardian import MARK
 from day6_core.lessons.grading import shield
+from day6_core.lessons.grading.limits import OVER
 from day6_core.virtual import surroundings
 
 assert not TYPE_CHECKING or sys.platform != "win32"  # `command.main` says so there
 
 JUDGE = "day6_core.lessons.grading.judge"
-OVER = b'{"over": true}\n'
 HELD_SECONDS = 5.0
 """For how long the programs of a submission may hold its time, by computing and by real waits; then it goes on beside them."""
 
 _KEPT = ("LANG", "LC_ALL", "TZ", "LD_LIBRARY_PATH", "DYLD_LIBRARY_PATH", "DAY6_WATCH")
-_fork, _waitpid = shield.fork, shield.waitpid
 _read, _monotonic = os.read, time.monotonic
 
 Begin = Callable[[dict[str, Any]], None]
@@ -49,12 +48,12 @@ def main() -> int:
         job = json.loads(line)
         if begin is None and job["virtual"]:
             begin = _prepared(job)
-        child = _fork()
+        child = shield.fork()
         if not child:
             os.dup2(os.open(os.devnull, os.O_RDWR), 0)
             _serve(job, begin)
             os._exit(0)
-        _waitpid(child, 0)
+        shield.waitpid(child, 0)
         os.write(1, b"\n" + OVER)
     return 0
 
@@ -106,9 +105,9 @@ def _serve(job: dict[str, Any], begin: Begin | None) -> None:
 
 def _try_shielded(job: dict[str, Any], work: Path, begin: Begin | None) -> bool:
     """Judge behind the shield; False where there is none: then a process that had tried could not go back, so another tries."""
-    trial = _fork()
+    trial = shield.fork()
     if trial:
-        _, status = _waitpid(trial, 0)
+        _, status = shield.waitpid(trial, 0)
         code = os.waitstatus_to_exitcode(status)
         if code < 0:
             _say(ended="killed", shield=shield.Shield.WHOLE.value)
@@ -123,7 +122,7 @@ def _try_shielded(job: dict[str, Any], work: Path, begin: Begin | None) -> bool:
     shield.hide()
     if inside:
         shield.end_with_parent()  # once more: the new namespace has forgotten it
-        _, status = _waitpid(inside, 0)
+        _, status = shield.waitpid(inside, 0)
         os._exit(0 if os.waitstatus_to_exitcode(status) == 0 else 1)
     _say(**_watched(job, work, "", shield.all_processes, begin), shield=shield.Shield.WHOLE.value)
     os._exit(0)  # the first process inside: whatever still runs there ends with it
@@ -138,7 +137,7 @@ def _watched(job: dict[str, Any], work: Path, mark: str, processes: Any, begin: 
     """Start the judge and wait for it; returns how it ended, and when this process had to wait for the machine, how long."""
     for name in ("home", "run", "tmp"):
         (work / name).mkdir(mode=0o700)
-    child = _fork()
+    child = shield.fork()
     if not child:
         _become_judge(job, work, mark, begin)
     stalls: deque[tuple[float, float]] = deque(maxlen=MOST_STALLS)
