@@ -224,7 +224,9 @@ def test_the_keyboard_is_where_the_step_is_done(place: Place, lang: str, size: t
         screen.press("F5")
         screen.wait(texts("lesson.step", number=2, all=4), seen_whole(texts("lesson.answer", letters=letters)))
         screen.line("echo two")
-        screen.wait_lines("two")
+        screen.wait(
+            keyboard_at("1 ~"), lambda seen: screen.pieces().count("two") == 2
+        )  # what is printed, and the title
         screen.press("F5")
         screen.wait(keyboard_at(title), seen_whole(texts("lesson.answer.here", letters=letters)))
         for key in "basename abba":  # a command is no answer, however slowly it is typed

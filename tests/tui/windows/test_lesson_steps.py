@@ -19,7 +19,8 @@ from day6_tui.options import Options
 from day6_tui.panes.layouts import lesson as lesson_layout
 from day6_tui.panes.splits import Split
 from day6_tui.windows.lesson.page import PageRow, StepPage, list_rows, step_page
-from tests.tui.screens import UTF8, screen_lines, screen_text
+from tests.support import waiting
+from tests.tui.screens import UTF8, screen_lines, screen_text, step
 from tests.tui.test_real_desk import _shows, _type, opened, until
 
 COURSE: Any = SimpleNamespace(kept=SimpleNamespace(failed=""))
@@ -81,13 +82,13 @@ def test_of_every_step_of_the_six_days_the_task_is_in_sight(language: str, heigh
     look = make_look(Options(lang=language), UTF8)
     hidden = []
     for each in days():
-        for number, step in enumerate(each.steps):
+        for number, task in enumerate(each.steps):
             built = step_page(COURSE, State(each, number), look, 36, lambda what: lambda: what)
             scrolls, pinned = built.laid_out(height)
             there = pinned or scrolls[:height]
             wanted = built.do if height == 20 else built.do[:1]
             if not all(row in there for row in wanted):
-                hidden.append((each.name, step.name))
+                hidden.append((each.name, task.name))
     assert hidden == []
 
 
@@ -164,6 +165,20 @@ async def test_f5_shows_the_next_step_and_the_keyboard_is_in_the_terminal(tmp_pa
         await until(
             app, pilot, lambda: any(run.source.strip() == "ros2 node list" for run in course.opened.live.runs(0))
         )
+
+
+@pytest.mark.process
+async def test_f5_before_the_desktop_has_followed_the_step_goes_to_the_lesson_and_stays(tmp_path: Path) -> None:
+    async with lesson(tmp_path, "day2") as (app, pilot):
+        pane = app.lessons.pane
+        _type(app, "ros2 run day6_kitchen kitchen &\r")
+        await until(app, pilot, lambda: pane.course.state.solved and len(app.desktop.panes) == 2)
+        app.lessons.toggle()
+        waiting.until(lambda: pane.course.state.index == 1)  # no frame is drawn meanwhile
+        app.lessons.toggle()
+        for _ in range(3):
+            await step(app, pilot)
+        assert app.desktop.focused_pane is pane
 
 
 @pytest.mark.process

@@ -87,6 +87,7 @@ class Lessons(Feature):
             self.open()
             return
         self._asked_at = None
+        self.follow()  # the step may have begun since the last frame: what is asked for now is asked of this one
         if pane.course.state.solved:
             self._go_on(pane)
         elif self._desktop.focused_pane is pane:
