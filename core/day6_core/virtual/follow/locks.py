@@ -56,17 +56,20 @@ class Lock:
 
     def acquire(self, blocking: bool = True, timeout: float = -1) -> bool:
         """Take it; False if that isn't possible in time."""
-        if timeout != -1 and (not blocking or not 0 <= timeout <= TIMEOUT_MAX):
-            _allocate_lock().acquire(blocking, timeout)  # says in the words of this Python what is wrong
+        if timeout == -1 and not self._locked:
+            self._locked = 1
+            return True
         return self._take(1, blocking, timeout)
 
     def _take(self, owner: int, blocking: bool, timeout: float) -> bool:
+        if timeout != -1 and (not blocking or not 0 <= timeout <= TIMEOUT_MAX):
+            _allocate_lock().acquire(blocking, timeout)  # says in the words of this Python what is wrong
         if not self._locked:
             self._locked = owner
             return True
         return bool(blocking) and self._wait(None if timeout == -1 else int(timeout * 1e9), owner)
 
-    def release(self) -> None:
+    def release(self, _type: object = None, _value: object = None, _traceback: object = None, /) -> None:
         """Let it go; any thread may."""
         if not self._locked:
             raise RuntimeError("release unlocked lock")
@@ -79,10 +82,7 @@ class Lock:
         return bool(self._locked)
 
     acquire_lock, release_lock, locked_lock = acquire, release, locked
-    __enter__ = acquire
-
-    def __exit__(self, *_: object) -> None:
-        self.release()
+    __enter__, __exit__ = acquire, release
 
     def _wait(self, ns: int | None, owner: int) -> bool:
         kernel = _kernel
@@ -137,20 +137,23 @@ class RLock(Lock):
         if self._locked == me:
             self._again += 1
             return True
-        if timeout != -1 and (not blocking or not 0 <= timeout <= TIMEOUT_MAX):
-            _allocate_lock().acquire(blocking, timeout)
+        if timeout == -1 and not self._locked:
+            self._locked = me
+            return True
         return self._take(me, blocking, timeout)
 
-    def release(self) -> None:
+    def release(self, _type: object = None, _value: object = None, _traceback: object = None, /) -> None:
         """Let it go as often as it was taken."""
         if self._locked != _get_ident():
             raise RuntimeError("cannot release un-acquired lock")
         if self._again:
             self._again -= 1
-        else:
-            Lock.release(self)
+            return
+        self._locked = 0
+        if self._waiting:
+            _kernel.wake(self._waiting.popleft())
 
-    __enter__ = acquire
+    __enter__, __exit__ = acquire, release
 
     # -- for threading.Condition -----------------------------------------------------------------------------------------
 
