@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
+from day6_core.virtual.surroundings import is_there
 from tests.support.short_folder import make_short_folder
 from tests.support.waiting import PATIENCE, run, until
 
@@ -55,6 +56,10 @@ class Place:
     def execute(self, commands: str, *more: str, **env: str | None) -> subprocess.CompletedProcess[str]:
         """Run lines of the simulated terminal by `day6-tui exec`."""
         return self.run("exec", "--home", str(self.home), "-c", commands, *more, **env)
+
+    def play(self, commands: str) -> subprocess.CompletedProcess[str]:
+        """The same where it isn't about real time: in virtual time, if there is any here."""
+        return self.execute(commands, *["--fast"] * is_there())
 
     def start(self, *words: str, **env: str | None) -> subprocess.Popen[str]:
         """Start `day6-tui WORDS…`; it is killed at the end of the test if it still runs."""

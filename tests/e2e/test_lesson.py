@@ -42,7 +42,7 @@ def timeless(text: str) -> str:
 
 
 def test_section_3_the_first_publisher_talks_and_another_terminal_hears_it(place: Place) -> None:
-    done = place.execute(
+    done = place.play(
         CREATE + ENTRY_POINT + BUILD + SOURCE + "ros2 run day6_publisher talker &\n"
         # another terminal, in which nothing was sourced
         "bash -c 'source ~/ros2_ws/install/setup.bash; ros2 topic echo --once /chatter std_msgs/msg/String'\n"
@@ -61,7 +61,7 @@ def test_section_3_the_first_publisher_talks_and_another_terminal_hears_it(place
 
 def test_section_5_the_wheels_turn(place: Place) -> None:
     package = "~/ros2_ws/src/day6_publisher"
-    done = place.execute(
+    done = place.play(
         CREATE
         + f"cd {package}\nmkdir urdf launch\n"
         + heredoc("urdf/day6_bot.urdf", URDF)
@@ -115,7 +115,7 @@ NOT_FOUND = "Package 'day6_publisher' not found\n"
     ],
 )
 def test_section_6_1_the_package_is_not_found(place: Place, fault: str, lines: str) -> None:
-    done = place.execute(CREATE + ENTRY_POINT + lines + "ros2 pkg list | grep day6\nros2 run day6_publisher talker\n")
+    done = place.play(CREATE + ENTRY_POINT + lines + "ros2 pkg list | grep day6\nros2 run day6_publisher talker\n")
     assert done.returncode == 1, fault
     assert done.stderr.endswith(NOT_FOUND), done.stderr
     assert "day6_publisher\n" not in done.stdout.replace(">>> day6_publisher\n", "")
@@ -125,7 +125,7 @@ def test_section_6_1_the_package_is_not_found(place: Place, fault: str, lines: s
 
 def test_section_6_1_a_wrong_indentation_in_setup_py_fails_the_build(place: Place) -> None:
     broken = SETUP.replace("@SCRIPTS@", TALKER_SCRIPT).replace("package_name = 'day6", "    package_name = 'day6")
-    done = place.execute(CREATE + heredoc("../setup.py", broken) + BUILD + SOURCE + "ros2 run day6_publisher talker\n")
+    done = place.play(CREATE + heredoc("../setup.py", broken) + BUILD + SOURCE + "ros2 run day6_publisher talker\n")
     assert "IndentationError: unexpected indent\n" in done.stderr
     assert "--- stderr: day6_publisher\n" in done.stderr
     assert re.search(r"Failed   <<< day6_publisher \[\d+\.\d+s, exited with code 1\]\n", done.stderr)
@@ -137,13 +137,13 @@ def test_section_6_1_a_wrong_indentation_in_setup_py_fails_the_build(place: Plac
 
 
 def test_section_6_1_without_an_entry_point_there_is_no_executable(place: Place) -> None:
-    done = place.execute(CREATE + BUILD + SOURCE + "ros2 pkg list | grep day6\nros2 run day6_publisher talker\n")
+    done = place.play(CREATE + BUILD + SOURCE + "ros2 pkg list | grep day6\nros2 run day6_publisher talker\n")
     assert timeless(done.stdout) == BUILT + "day6_publisher\n"
     assert (done.returncode, done.stderr) == (1, "No executable found\n")
 
 
 def test_section_6_1_sourcing_makes_the_package_known_to_this_terminal_only(place: Place) -> None:
-    done = place.execute(
+    done = place.play(
         CREATE + ENTRY_POINT + BUILD + "bash -c 'source ~/ros2_ws/install/setup.bash; ros2 pkg list | grep day6'\n"
         "ros2 pkg prefix day6_publisher\nsource ~/ros2_ws/install/setup.bash\nros2 pkg prefix day6_publisher\n"
         "ros2 pkg executables day6_publisher\n"
@@ -158,7 +158,7 @@ def test_section_6_1_sourcing_makes_the_package_known_to_this_terminal_only(plac
 
 
 def test_section_6_5_the_line_in_bashrc_makes_every_terminal_know_the_package(place: Place) -> None:
-    done = place.execute(
+    done = place.play(
         CREATE + ENTRY_POINT + BUILD + 'echo "source ~/ros2_ws/install/setup.bash" >> ~/.bashrc\n'
         "ros2 pkg prefix day6_publisher\nsource ~/.bashrc\nros2 pkg prefix day6_publisher\ncat ~/.bashrc\n"
     )
@@ -172,7 +172,7 @@ def test_section_6_5_of_two_workspaces_the_one_sourced_last_shadows_the_other(pl
     older = TALKER.replace("Hello from Day 6", "OldWorkspace")
     said = 'grep -o -m 1 -E "Hello|OldWorkspace" ~/said'
     run = f"ros2 run day6_publisher talker > ~/said 2>&1 & until {said}; do sleep 0.05; done; kill -INT $!; wait\n"
-    done = place.execute(
+    done = place.play(
         CREATE + ENTRY_POINT + BUILD + "mkdir -p ~/old_ws\ncp -r ~/ros2_ws/src ~/old_ws/src\n"
         "cd ~/old_ws/src/day6_publisher/day6_publisher\n" + heredoc("talker.py", older) + "cd ~/old_ws\ncolcon build\n"
         f"bash -c 'source ~/ros2_ws/install/setup.bash; source ~/old_ws/install/setup.bash; {run}'\n"

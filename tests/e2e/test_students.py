@@ -120,7 +120,7 @@ def test_the_talker_of_another_real_terminal_is_seen_in_the_desktop(place: Place
 
 def test_a_script_without_a_screen_hears_the_talker(place: Place) -> None:
     file = place.file("talker.py", TALKER)
-    done = place.execute(
+    done = place.play(
         f"python3 '{file}' 2> log & ros2 topic echo /chatter std_msgs/msg/String > heard & "
         "until ros2 topic info /chatter | grep -q 'Subscription count: 1'; do sleep 0.05; done; "
         # What others of this machine hear after it, it hears too; the file has it in the end.

@@ -18,7 +18,7 @@ SAID = "There is no screen for the window: the node runs without it\n"
 
 
 def test_in_the_foreground_of_exec_they_print_once_and_end(place: Place) -> None:
-    done = place.execute(
+    done = place.play(
         "ros2 run day6_bot wheel_spinner 2> /dev/null & ros2 topic echo /joint_states > /dev/null &\n"
         "rqt_graph; echo one $?\nrqt_topic; echo two $?\nrviz2 -f base_link; echo three $?\n"
     )
@@ -32,7 +32,7 @@ def test_in_the_foreground_of_exec_they_print_once_and_end(place: Place) -> None
 
 
 def test_in_the_background_they_are_nodes_until_they_are_interrupted(place: Place) -> None:
-    done = place.execute(
+    done = place.play(
         "ros2 run rviz2 rviz2 & ros2 run rqt_graph rqt_graph & ( rqt_topic ) & ros2 run day6_bot car_view &\n"
         "ros2 run joint_state_publisher_gui joint_state_publisher_gui & rqt_console > /dev/null & rqt_plot &\n"
         # longer than any of them would take to print
@@ -62,7 +62,7 @@ def test_a_real_process_without_a_terminal_stays_too(place: Place, words: tuple[
 
 
 def test_the_shipped_car_is_launched_in_one_line(place: Place) -> None:
-    done = place.execute(
+    done = place.play(
         "ros2 launch day6_bot display.launch.py > log 2>&1 &\n"
         "ros2 run tf2_ros tf2_echo base_link left_wheel 2> /dev/null | grep -m 2 'RPY (radian)'\n"
         "until ros2 node list | grep -q rviz2; do sleep 0.05; done\n"
@@ -77,7 +77,7 @@ def test_the_shipped_car_is_launched_in_one_line(place: Place) -> None:
 
 def test_the_shipped_launch_file_takes_sliders_and_another_robot(place: Place) -> None:
     robot = place.file("cart.urdf", '<robot name="cart"><link name="base_link"/></robot>\n')
-    done = place.execute(
+    done = place.play(
         f"ros2 launch day6_bot display.launch.py sliders:=true robot:='{robot}' > log 2>&1 &\n"
         "ros2 topic echo --once --full-length --qos-durability transient_local "
         "/robot_description std_msgs/msg/String --field data\n"

@@ -1,7 +1,8 @@
 """The table of virtual time, by hand: `python -m tests.virtual.table [--runs N]`. Seconds are this machine's.
 
-Ten simulated minutes of talker, listener, turtlesim, a broadcaster of tf2 and an action client, on one core; what the mode costs a
-program in which nobody waits, beside the same in real time; and N runs of the six processes of `test_worlds`, with busy loops beside.
+Ten simulated minutes of talker, listener, turtlesim, a broadcaster of tf2 and an action client, on one core; what the mode costs
+a program in which nobody waits, beside the same in real time; and N runs of the six processes of `test_worlds`, with busy loops
+beside.
 """
 
 from __future__ import annotations
