@@ -31,6 +31,42 @@ True 0001-01-02 00:00:00
 sleep length must be non-negative
 """,
     ),
+    "functions that a class keeps, or that are sent to another process": (
+        """
+import logging, multiprocessing, os, pickle, select, selectors, signal, sys, threading, time
+def now(): return round(time.monotonic(), 2)
+class Kept:
+    sleep, clock, ns, date, select = time.sleep, time.monotonic, time.time_ns, time.gmtime, select.select
+    read, write, open, random = os.read, os.write, open, os.urandom
+    kill, fork, waitpid, alarm = os.kill, os.fork, os.waitpid, signal.alarm
+kept = Kept()
+kept.sleep(1); print(round(kept.clock(), 2), kept.ns() // 10**9, kept.date(0)[0], kept.select([], [], [], 1), now())
+reading, writing = os.pipe(); kept.write(writing, b"read"); print(kept.read(reading, 9), len(kept.random(3)))
+with kept.open("file", "w") as file: print("text", file=file)
+kept.kill(os.getpid(), 0); print(kept.alarm(0))
+pid = kept.fork()
+if not pid: os._exit(7)
+print(os.waitstatus_to_exitcode(kept.waitpid(pid, 0)[1]))
+logging.Formatter.converter = time.gmtime
+logging.basicConfig(format="%(asctime)s %(message)s", stream=sys.stdout); logging.warning("logged")
+selector = selectors.SelectSelector(); selector.register(reading, selectors.EVENT_READ); print(selector.select(2), now())
+functions = time.sleep, time.time, time.localtime, os.kill, select.select, open
+print(all(pickle.loads(pickle.dumps(each)) is each for each in functions))
+if __name__ == "__main__":
+    multiprocessing.set_start_method("fork")
+    with multiprocessing.Pool(2) as pool: print(pool.map(time.sleep, [1, 2]), now())
+""",
+        """\
+1.0 1767225601 1970 ([], [], []) 2.0
+b'read' 3
+0
+7
+2026-01-01 00:00:02,000 logged
+[] 4.0
+True
+[None, None] 6.0
+""",
+    ),
     "a busy wait": (
         """
 import threading, time
@@ -286,6 +322,30 @@ import os, signal
 threading.Timer(1, os.kill, [os.getpid(), signal.SIGINT]).start()
 time.sleep(60)
 """
+
+
+WRONG = """
+import _thread, copy, pickle, os, select, signal, threading, time
+for wrong in (
+    lambda: copy.deepcopy(threading.Lock()), lambda: pickle.dumps(threading.RLock()), lambda: type(threading.Lock()),
+    lambda: threading.Lock().acquire(timeout="1"), lambda: threading.RLock().acquire(False, 1), lambda: os.urandom("3"),
+    lambda: signal.setitimer(signal.ITIMER_REAL, -1), lambda: signal.alarm("1"), lambda: _thread.start_new_thread(1, ()),
+    lambda: _thread.start_new_thread(print, 1),
+    lambda: time.sleep(), lambda: time.sleep("1"), lambda: time.sleep(None), lambda: time.sleep(1, 2),
+    lambda: time.sleep(seconds=1), lambda: time.sleep(-1), lambda: time.sleep(float("nan")), lambda: time.sleep(2j),
+    lambda: time.sleep(float("inf")), lambda: time.localtime("x"), lambda: time.asctime(None), lambda: time.strftime(),
+    lambda: time.strftime(1), lambda: time.ctime("now"),
+):
+    try: print(wrong())
+    except Exception as error: print(type(error).__name__, error)
+print(time.sleep.__name__, time.sleep.__doc__, time.localtime.__module__)
+"""
+
+
+def test_wrong_calls_are_answered_as_in_real_time(world: World) -> None:
+    fast = world.python(WRONG)
+    real = world.run("python", "program.py")
+    assert (fast.stdout, fast.stderr) == (real.stdout, real.stderr)
 
 
 def test_tracebacks_are_those_of_real_time(world: World) -> None:

@@ -26,6 +26,7 @@ from typing import Any
 
 from day6_core.virtual import surroundings
 from day6_core.virtual.coordinator import PATIENCE, Coordinator, _Process
+from day6_core.virtual.follow.builtin import put
 from day6_core.virtual.follow.clocks import EPOCH_NS
 from day6_core.virtual.kernel import FOR_EVER_NS, Kernel, Wait, Watch
 from day6_core.virtual.wire import NEVER, Flag
@@ -258,16 +259,14 @@ class PacedCoordinator(Coordinator):
 
 def install(kernel: PacedKernel, pace: PacedCoordinator) -> None:
     """Give the threads that live in real time real clocks. After all others have been put in place."""
-    module: Any = time
     people = kernel.people
 
     def reading(real: Callable[[], float], virtual: Callable[[], float]) -> Callable[[], float]:
         return lambda: real() if _get_ident() in people else virtual()
 
     for name, clock in _real_clocks.items():
-        setattr(module, name, reading(clock, getattr(time, name)))
-    module.time_ns = lambda: EPOCH_NS + kernel.clock()
-    module.monotonic_ns = kernel.clock
+        put(time, **{name: reading(clock, getattr(time, name))})
+    put(time, time_ns=lambda: EPOCH_NS + kernel.clock(), monotonic_ns=lambda: kernel.clock())
     threads: Any = threading
     threads._time = time.monotonic
     pace.people = kernel.in_real_time

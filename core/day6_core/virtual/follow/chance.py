@@ -14,6 +14,7 @@ import os
 from collections.abc import Callable
 from typing import Any
 
+from day6_core.virtual.follow.builtin import put
 from day6_core.virtual.follow.imports import when_imported
 
 _real_urandom = os.urandom
@@ -32,10 +33,11 @@ def install(number: Callable[[], int]) -> None:
         return stream.getrandbits(k)
 
     def urandom(size: int, /) -> bytes:
-        return bits(8 * size).to_bytes(size, sys.byteorder) if size > 0 else _real_urandom(size)
+        return (
+            bits(8 * size).to_bytes(size, sys.byteorder) if isinstance(size, int) and size > 0 else _real_urandom(size)
+        )
 
-    system: Any = os
-    system.urandom = urandom
+    put(os, urandom=urandom)
     when_imported("random", lambda module: _follow_random(module, bits))
     when_imported("secrets", lambda module: setattr(module, "randbits", bits))  # NumPy's seed
 

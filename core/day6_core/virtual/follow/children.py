@@ -13,6 +13,7 @@ import time
 from collections.abc import Callable
 from typing import Any, Protocol, TypeVar
 
+from day6_core.virtual.follow.builtin import put
 from day6_core.virtual.follow.descriptors import descriptors_were_shared
 from day6_core.virtual.follow.imports import when_imported
 from day6_core.virtual.kernel import Kernel
@@ -42,7 +43,6 @@ def install(kernel: Kernel, world: Callable[[], World], enter_child: Callable[[]
     """Have the children that are started from now on be known to the world; one that was forked calls `enter_child`."""
     global _kernel
     _kernel = kernel
-    system: Any = os
     c: Any = _posixsubprocess
     fork_exec, posix_spawn, posix_spawnp, fork = c.fork_exec, os.posix_spawn, os.posix_spawnp, os.fork
 
@@ -98,10 +98,9 @@ def install(kernel: Kernel, world: Callable[[], World], enter_child: Callable[[]
         subprocess._fork_exec = fork_exec_and_tell
     if subprocess is not None:
         subprocess._time = time.monotonic
-    system.posix_spawn, system.posix_spawnp = spawn_and_tell(posix_spawn), spawn_and_tell(posix_spawnp)
-    system.fork, system.system = fork_and_tell, _system
-    system.waitpid, system.wait, system.waitid = waitpid, lambda: waitpid(-1, 0), _waitid
-    system.kill, system.killpg = kill, killpg
+    put(os, posix_spawn=spawn_and_tell(posix_spawn), posix_spawnp=spawn_and_tell(posix_spawnp))
+    put(os, fork=fork_and_tell, system=_system, kill=kill, killpg=killpg)
+    put(os, waitpid=waitpid, wait=lambda: waitpid(-1, 0), waitid=_waitid)
     when_imported("multiprocessing.synchronize", _follow_semaphores)
 
 

@@ -11,6 +11,7 @@ import time
 from collections.abc import Callable
 from typing import Any
 
+from day6_core.virtual.follow.builtin import is_number, put
 from day6_core.virtual.follow.imports import when_imported
 from day6_core.virtual.kernel import READ_NS, Kernel
 
@@ -20,17 +21,20 @@ EPOCH_NS = 1_767_225_600_000_000_000
 
 _SLACK_NS = 50_000
 """What a sleep of nothing takes, so that others go on beside a program of such sleeps: by so much Linux lets sleeps be late."""
+_TOO_LONG = 9.2e9
+"""Seconds: for a sleep of Python's own."""
 
 
 def install(kernel: Kernel) -> None:
     """Have the clocks follow a kernel."""
-    module: Any = time
-    clock = kernel.clock
+    clock, real_sleep = kernel.clock, time.sleep
 
-    def sleep(seconds: float, /) -> None:
-        if seconds < 0:
-            raise ValueError("sleep length must be non-negative")
-        kernel.wait(int(seconds * 1e9) or _SLACK_NS)
+    def sleep(*seconds: Any, **nothing: Any) -> None:
+        length: Any = seconds[0] if len(seconds) == 1 and not nothing else None
+        if is_number(length) and 0 <= length < _TOO_LONG:
+            kernel.wait(int(length * 1e9) or _SLACK_NS)
+        else:
+            real_sleep(*seconds, **nothing)  # says what is wrong with it
 
     def time_ns() -> int:  # thousands of times a second: as `Kernel.clock`, without calling it
         now = kernel.now = kernel.now + READ_NS
@@ -54,9 +58,9 @@ def install(kernel: Kernel) -> None:
         (monotonic_ns, ("monotonic_ns", "perf_counter_ns", "process_time_ns", "thread_time_ns")),
     ):
         for name in names:
-            setattr(module, name, function)
-    _follow_clock_gettime(module, clock)
-    _follow_default_times(module)
+            put(time, **{name: function})
+    _follow_clock_gettime(clock)
+    _follow_default_times(seconds_since_1970)
     when_imported("datetime", _follow_datetime)
     when_imported("threading", _follow_threading)
 
@@ -65,7 +69,7 @@ def _follow_threading(module: Any) -> None:
     module._time = time.monotonic
 
 
-def _follow_clock_gettime(module: Any, clock: Callable[[], int]) -> None:
+def _follow_clock_gettime(clock: Callable[[], int]) -> None:
     real_ns = time.clock_gettime_ns
     dates = {time.CLOCK_REALTIME}
     steady = {time.CLOCK_MONOTONIC, *(getattr(time, name, -1) for name in ("CLOCK_MONOTONIC_RAW", "CLOCK_BOOTTIME"))}
@@ -78,23 +82,22 @@ def _follow_clock_gettime(module: Any, clock: Callable[[], int]) -> None:
     def clock_gettime(clk_id: int, /) -> float:
         return clock_gettime_ns(clk_id) / 1e9
 
-    module.clock_gettime_ns, module.clock_gettime = clock_gettime_ns, clock_gettime
+    put(time, clock_gettime_ns=clock_gettime_ns, clock_gettime=clock_gettime)
 
 
-def _follow_default_times(module: Any) -> None:
+def _follow_default_times(now: Callable[[], float]) -> None:
     """What takes the time of now if it is given none."""
-    for name in ("localtime", "gmtime", "ctime"):
-        setattr(module, name, _with_now(getattr(module, name), module))
-    asctime, strftime = module.asctime, module.strftime
-    module.asctime = lambda t=None, /: asctime(module.localtime() if t is None else t)
-    module.strftime = lambda how, t=None, /: strftime(how, module.localtime() if t is None else t)
 
+    def with_now(original: Callable[..., Any]) -> Callable[..., Any]:
+        return lambda *seconds: original(now()) if seconds in ((), (None,)) else original(*seconds)
 
-def _with_now(original: Callable[..., Any], module: Any) -> Callable[..., Any]:
-    def of(seconds: float | None = None, /) -> Any:
-        return original(module.time() if seconds is None else seconds)
-
-    return of
+    localtime, asctime, strftime = time.localtime, time.asctime, time.strftime
+    put(time, localtime=with_now(localtime), gmtime=with_now(time.gmtime), ctime=with_now(time.ctime))
+    put(
+        time,
+        asctime=lambda *t: asctime(*t or (localtime(now()),)),
+        strftime=lambda *given: strftime(*given, localtime(now())) if len(given) == 1 else strftime(*given),
+    )
 
 
 def _follow_datetime(module: Any) -> None:

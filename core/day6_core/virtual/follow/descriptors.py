@@ -15,6 +15,7 @@ import stat
 from collections.abc import Callable, Sequence
 from typing import Any, TypeVar
 
+from day6_core.virtual.follow.builtin import put
 from day6_core.virtual.follow.imports import when_imported
 from day6_core.virtual.kernel import Kernel
 from day6_core.virtual.processes import is_ready
@@ -42,13 +43,13 @@ def install(kernel: Kernel, touched: Callable[[int], object], typed: Callable[[i
     global _kernel, _told, _typed
     _kernel, _told, _typed = kernel, touched, typed
     module: Any = select
-    module.epoll, module.poll, module.select = Epoll, Poll, select_
-    system: Any = os
-    system.read, system.write = read, write
+    module.epoll, module.poll = Epoll, Poll
+    put(select, select=select_)
+    put(os, read=read, write=write)
     when_imported("selectors", _follow_selectors)
     when_imported("socket", _follow_sockets)
-    files: Any = io
-    files.open = builtins.open = _opening(io.open)
+    put(io, open=_opening(io.open))
+    builtins.open = io.open
     _follow_input()
 
 
@@ -212,6 +213,7 @@ def select_(rlist: Any, wlist: Any, xlist: Any, timeout: float | None = None, /)
 def _follow_selectors(module: Any) -> None:
     module.EpollSelector._selector_cls = Epoll
     module.PollSelector._selector_cls = Poll
+    module.SelectSelector._select = select.select
 
 
 # -- read --------------------------------------------------------------------------------------------------------------
@@ -347,8 +349,7 @@ def _follow_input() -> None:
         wait_until_ready(stdin.fileno(), select.POLLIN, None)
         return real_input()
 
-    module: Any = builtins
-    module.input = input
+    put(builtins, input=input)
 
 
 # -- sockets -------------------------------------------------------------------------------------------------------------

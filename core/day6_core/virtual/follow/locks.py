@@ -9,8 +9,9 @@ if sys.platform != "linux":
 
 import _thread
 from collections import deque
-from typing import Any
+from typing import Any, NoReturn
 
+from day6_core.virtual.follow.builtin import is_number
 from day6_core.virtual.follow.imports import when_imported
 from day6_core.virtual.kernel import Kernel, Wait
 
@@ -62,7 +63,7 @@ class Lock:
         return self._take(1, blocking, timeout)
 
     def _take(self, owner: int, blocking: bool, timeout: float) -> bool:
-        if timeout != -1 and (not blocking or not 0 <= timeout <= TIMEOUT_MAX):
+        if timeout != -1 and not (blocking and is_number(timeout) and 0 <= timeout <= TIMEOUT_MAX):
             _allocate_lock().acquire(blocking, timeout)  # says in the words of this Python what is wrong
         if not self._locked:
             self._locked = owner
@@ -111,6 +112,9 @@ class Lock:
     def _at_fork_reinit(self) -> None:
         self._locked = 0
         self._waiting = None
+
+    def __reduce_ex__(self, protocol: object) -> NoReturn:
+        raise TypeError(f"cannot pickle '_thread.{type(self).__name__}' object")
 
     def __repr__(self) -> str:
         state = "locked" if self._locked else "unlocked"
@@ -181,3 +185,7 @@ class RLock(Lock):
     def __repr__(self) -> str:
         state = "locked" if self._locked else "unlocked"
         return f"<{state} _thread.RLock object owner={self._locked} count={self._recursion_count()} at {id(self):#x}>"
+
+
+Lock.__name__ = Lock.__qualname__ = "lock"
+Lock.__module__ = RLock.__module__ = "_thread"

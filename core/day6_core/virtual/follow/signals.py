@@ -14,11 +14,12 @@ import os
 from collections.abc import Callable
 from typing import Any
 
+from day6_core.virtual.follow.builtin import is_number, put
 from day6_core.virtual.kernel import Kernel, Watch
 from day6_core.virtual.member import deliver as send
 
 _real_signal, _real_getsignal, _real_set_wakeup_fd = _signal.signal, _signal.getsignal, _signal.set_wakeup_fd
-_real_setitimer = _signal.setitimer
+_real_setitimer, _real_alarm = _signal.setitimer, _signal.alarm
 _real_raise, _real_pthread_kill = _signal.raise_signal, _signal.pthread_kill
 _get_ident = _thread.get_ident
 
@@ -71,7 +72,7 @@ def install(kernel: Kernel) -> None:
     """When the alarm goes off, and how long after that again, ns; a new pair for each alarm."""
 
     def setitimer(which: int, seconds: float, interval: float = 0.0, /) -> tuple[float, float]:
-        if which != _signal.ITIMER_REAL:
+        if which != _signal.ITIMER_REAL or not all(is_number(each) and each >= 0 for each in (seconds, interval)):
             found: tuple[float, float] = _real_setitimer(which, seconds, interval)
             return found
         before, set_now = timer[0], (kernel.now + int(seconds * 1e9), int(interval * 1e9))
@@ -92,10 +93,11 @@ def install(kernel: Kernel) -> None:
             at += every
 
     def alarm(seconds: int, /) -> int:
+        if not isinstance(seconds, int):
+            _real_alarm(seconds)  # says what is wrong with it
         return math.ceil(setitimer(_signal.ITIMER_REAL, seconds)[0])
 
     main, sent = _get_ident(), os.kill
-    module: Any = _signal
     replaced: dict[str, Callable[..., Any]] = {
         "signal": signal,
         "getsignal": getsignal,
@@ -108,10 +110,9 @@ def install(kernel: Kernel) -> None:
     }
     copies: Any = sys.modules.get("signal")  # has taken some of them as they are
     for name, function in replaced.items():
-        setattr(module, name, function)
+        put(_signal, **{name: function})
         if copies is not None and name not in ("signal", "getsignal"):
-            setattr(copies, name, function)
-    system: Any = os
-    system.kill = kill
+            put(copies, **{name: function})
+    put(os, kill=kill)
     if _real_getsignal(_signal.SIGINT) is _signal.default_int_handler:
         signal(_signal.SIGINT, _signal.default_int_handler)

@@ -12,6 +12,7 @@ import threading
 from collections.abc import Callable
 from typing import Any
 
+from day6_core.virtual.follow.builtin import put
 from day6_core.virtual.kernel import Kernel
 
 _start_new_thread = _thread.start_new_thread
@@ -24,7 +25,7 @@ def install(kernel: Kernel) -> None:
     _kernel = kernel
     thread: Any = _thread
     module: Any = threading
-    thread.start_new_thread = thread.start_new = _start
+    put(thread, start_new_thread=_start, start_new=_start)
     if sys.version_info >= (3, 13):
         thread.start_joinable_thread = module._start_joinable_thread = _joinable_starter(thread.start_joinable_thread)
     else:
@@ -53,6 +54,8 @@ def _in_turns(function: Callable[..., Any]) -> tuple[Callable[..., None], Callab
 
 
 def _start(function: Callable[..., Any], args: tuple[Any, ...], kwargs: dict[str, Any] | None = None, /) -> int:
+    if not callable(function) or not isinstance(args, tuple):
+        return _start_new_thread(function, args)  # says what is wrong with them
     run, withdraw = _in_turns(function)
     try:
         return _start_new_thread(run, args, kwargs or {})
