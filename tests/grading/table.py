@@ -9,6 +9,7 @@ import argparse
 import json
 import resource
 import subprocess
+import sys
 import tempfile
 import time
 from pathlib import Path
@@ -17,10 +18,12 @@ from day6_core.lessons.grading.grader import right_answers
 from day6_core.lessons.grading.scenarios import gradings
 from tests.e2e.place import DAY6
 from tests.grading.article import write
+from tests.perf import budgets
+from tests.perf.budgets import Row, print_table
 
 
-def main() -> None:
-    """Print the table."""
+def main() -> int:
+    """Print the table; return 1 if something isn't kept."""
     days = [each.lesson for each in gradings()]
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--submissions", type=int, default=40)
@@ -30,12 +33,12 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as folder:
         for number in range(options.submissions):
             write(Path(folder, f"{number:03}.zip"), {}, {"pupil": f"pupil {number}", "answers": right_answers(days)})
-        for day in options.days:
-            grade(Path(folder), day, options.seed)
+        missed = print_table(grade(Path(folder), day, options.seed) for day in options.days)
+    return int(missed > 0)
 
 
-def grade(folder: Path, day: str, seed: str) -> None:
-    """Print how long the submissions in a folder take for one day."""
+def grade(folder: Path, day: str, seed: str) -> Row:
+    """How long the submissions in a folder take for one day."""
     seen = folder / "seen.json"
     before, began = resource.getrusage(resource.RUSAGE_CHILDREN), time.monotonic()
     subprocess.run(
@@ -46,8 +49,9 @@ def grade(folder: Path, day: str, seed: str) -> None:
     cpu = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
     submissions = json.loads(seen.read_text(encoding="utf-8"))["submissions"]
     right = sum(each["points"] == each["most"] for each in submissions)
-    print(f"{day}: {took:.1f} s, {cpu:.1f} s of CPU; {right} of {len(submissions)} have all points", flush=True)
+    budget = budgets.GRADED._replace(what=f"grade: {len(submissions)} submissions of one day")
+    return budget.row(took, f"{day}: {cpu:.1f} s of CPU, {right} of {len(submissions)} have all points")
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

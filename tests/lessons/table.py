@@ -15,6 +15,7 @@ import time
 from concurrent.futures import ThreadPoolExecutor
 
 from tests.lessons.test_played import GROUPS, play
+from tests.perf.budgets import LESSONS
 
 
 def main() -> int:
@@ -41,7 +42,8 @@ def main() -> int:
                 each.wait()
         lines = [line for each in done for line in (each.stdout + each.stderr).splitlines()]
         steps = sum(line.startswith(("ok  ", "FAIL")) for line in lines)
-        print(f"run {number + 1}: {steps} steps in {took:.1f} s, {cpu:.1f} s of CPU", flush=True)
+        kept = "" if LESSONS.keeps(took) else f", more than {LESSONS.limit:g} s"
+        print(f"run {number + 1}: {steps} steps in {took:.1f} s{kept}, {cpu:.1f} s of CPU", flush=True)
         first = first or lines
         told = [line for line in lines if not line.startswith("ok  ") or line not in first]
         bad = bad or bool(told)

@@ -1,6 +1,7 @@
 """Every budget of day6-tui, declared once, and the table in which figures stand beside them.
 
-`bench.py` measures nearly all of them, `slow_line.py`, `hostile_machine.py` and `soak.py` the others. The budgets of
+`bench.py` measures nearly all of them, `slow_line.py`, `hostile_machine.py` and `soak.py` the others; those of virtual time
+`python -m tests.virtual.table`, `tests.grading.table` and `tests.lessons.table`. The budgets of
 docs/*/trust/performance.md are these, in this order (tests/docs/test_budgets.py).
 """
 
@@ -102,3 +103,8 @@ ACTION = Budget("action, goal to result: times faster than real rclpy", 5, "×",
 TIMER = Budget("100 Hz timer misses its period by, 99th percentile: times real rclpy", 0.5, "×")
 TOPIC_LIST = Budget("ros2 topic list, a process of its own", 0.15, "s")
 TOPIC_LIST_REAL = Budget("  times the real one with its daemon", 0.33, "×")
+TEN_MINUTES = Budget("virtual time: ten minutes of five programs, on one core", 5, "s")
+NOBODY_WAITS = Budget("virtual time: CPU of a program that never waits, times that in real time", 1.1, "×")
+SAME_RUNS = Budget("virtual time: runs of six processes beside busy loops that are the same", 1000, "", least=True)
+GRADED = Budget("grade: 40 submissions of one day", 10, "s")
+LESSONS = Budget("all lessons and drills played", 60, "s")

@@ -16,8 +16,11 @@ import tempfile
 import time
 from collections import Counter
 from difflib import unified_diff
+from functools import partial
 from pathlib import Path
 
+from tests.perf import budgets
+from tests.perf.budgets import Row, print_table
 from tests.virtual.test_worlds import SIX, files
 from tests.virtual.world import World
 
@@ -43,22 +46,21 @@ print(sum(resource.getrusage(resource.RUSAGE_SELF)[:2]) - began)
 """
 
 
-def main() -> None:
-    """Print the table."""
+def main() -> int:
+    """Print the table; return 1 if something isn't kept."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--runs", type=int, default=20)
     runs: int = parser.parse_args().runs
     with tempfile.TemporaryDirectory() as folder:
         world = World(Path(folder))
         files(world)
-        ten_minutes(world)
-        overhead(world)
-        repeat(world, runs)
+        missed = print_table(each(world) for each in (ten_minutes, overhead, partial(repeat, runs=runs)))
         world.close()
+    return int(missed > 0)
 
 
-def ten_minutes(world: World) -> None:
-    """Print how long ten minutes take on one core."""
+def ten_minutes(world: World) -> Row:
+    """How long ten minutes take on one core."""
     cores = os.sched_getaffinity(0)
     os.sched_setaffinity(0, {max(cores)})
     before, began = resource.getrusage(resource.RUSAGE_CHILDREN), time.monotonic()
@@ -66,23 +68,22 @@ def ten_minutes(world: World) -> None:
     os.sched_setaffinity(0, cores)
     took, after = time.monotonic() - began, resource.getrusage(resource.RUSAGE_CHILDREN)
     cpu = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
-    simulated = done.stdout.splitlines()[-1]
-    print(f"{simulated} simulated seconds, five programs: {took:.1f} s, {cpu:.1f} s of CPU", flush=True)
+    return budgets.TEN_MINUTES.row(took, f"{done.stdout.splitlines()[-1]} simulated seconds, {cpu:.1f} s of CPU")
 
 
-def overhead(world: World) -> None:
-    """Print what a program costs that never waits, relative to real time; each three times in turn, the least counts."""
+def overhead(world: World) -> Row:
+    """What a program costs that never waits, relative to real time; each three times in turn, the least counts."""
     world.file("busy.py", NOBODY_WAITS)
     costs: dict[bool, list[float]] = {True: [], False: []}
     for _ in range(3):
         for fast in costs:
             words = ["python", *(["--fast"] if fast else []), "busy.py"]
             costs[fast].append(float(world.run(*words, DAY6_LINK="off").stdout))
-    print(f"CPU where nobody waits: {min(costs[True]) / min(costs[False]):.2f} of that in real time", flush=True)
+    return budgets.NOBODY_WAITS.row(min(costs[True]) / min(costs[False]))
 
 
-def repeat(world: World, runs: int) -> None:
-    """Print how many of some runs of six processes, beside busy loops that come and go, say the same."""
+def repeat(world: World, runs: int) -> Row:
+    """How many of some runs of six processes, beside busy loops that come and go, say the same."""
     said: Counter[str] = Counter()
     for number in range(runs):
         busy = [subprocess.Popen([sys.executable, "-c", "while True: pass"]) for _ in range(number % 5)]
@@ -94,11 +95,10 @@ def repeat(world: World, runs: int) -> None:
                 each.wait()
         said[done.stdout + done.stderr] += 1
     (usual, same), *others = said.most_common()
-    cores = len(os.sched_getaffinity(0))
-    print(f"six processes, 0 to 4 busy loops beside on {cores} cores: {same} of {runs} runs are the same")
     for text, times in others:
         print(f"{times} times:", *unified_diff(usual.splitlines(), text.splitlines(), lineterm="", n=0), sep="\n")
+    return budgets.SAME_RUNS._replace(limit=runs).row(same, f"on {len(os.sched_getaffinity(0))} cores")
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())
