@@ -91,7 +91,11 @@ class Publisher(TopicEndpoint, Generic[MsgT]):
         self._handle._endpoint.assert_liveliness()
 
     def wait_for_all_acked(self, timeout: Duration = Duration(seconds=-1)) -> bool:  # noqa: B008
-        """Return True: subscriptions have every message as soon as `publish` returns."""
+        """Return True at once.
+
+        Subscriptions of this process have every message as soon as `publish` returns; messages to others are under way by then,
+        and nothing says when they arrive.
+        """
         self._handle.check_publisher("Failed to wait for all acknowledged")
         if not isinstance(timeout, Duration):
             raise AttributeError(f"'{type(timeout).__name__}' object has no attribute '_duration_handle'")
