@@ -69,6 +69,20 @@ def test_a_changed_band_of_kitty_replaces_the_old_image_and_keeps_nothing_of_it(
     assert not terminal.images and not terminal.placements
 
 
+@pytest.mark.parametrize("changed", [True, False])
+def test_wherever_a_drawing_of_kitty_is_cut_short_the_end_leaves_nothing_of_it(changed: bool) -> None:
+    writer, terminal = Kitty(), PixelTerminal("kitty", 40, 14)
+    first = writer.draw(7, picture(2, 1), CELL, [whole(2, 1)], True)
+    text = writer.draw(7, picture(2, 1, seed=2), CELL, [whole(2, 1, 5, 6)], changed)
+    end = "\x1b\\" + writer.erase_all()
+    terminal.may_break = True
+    for cut in range(len(text)):
+        terminal.feed(first)
+        assert terminal.placements
+        terminal.feed(text[:cut] + end)
+        assert not terminal.images and not terminal.placements, text[:cut]
+
+
 def test_a_picture_of_thousands_of_colours_has_the_nearest_of_256() -> None:
     rows, columns = np.mgrid[0:240, 0:320]
     pixels = np.stack([rows, columns * 255 // 319, (rows + columns) // 3], axis=-1).astype(np.uint8)

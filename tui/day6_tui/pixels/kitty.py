@@ -39,8 +39,8 @@ class Kitty:
         old = self._images.get(band)
         if old is not None and not changed:
             return f"\x1b_Ga=d,d=i,i={old},q=2\x1b\\" + _placed(old, cell, pieces)
-        first = FIRST_ID + 2 * band
-        new = self._images[band] = first + 1 if old == first else first
+        first, second = _both(band)
+        new = self._images[band] = second if old == first else first
         text = transmitted(new, pixels) + _placed(new, cell, pieces)
         return text if old is None else text + deleted(old)
 
@@ -49,8 +49,16 @@ class Kitty:
         return "".join(deleted(self._images.pop(band)) for band in list(bands) if band in self._images)
 
     def erase_all(self) -> str:
-        """Remove everything of ours."""
-        return self.erase(tuple(self._images))
+        """Remove everything of ours, also the image that a drawing has left which was cut short."""
+        bands = list(self._images)
+        self._images.clear()
+        return "".join(deleted(number) for band in bands for number in _both(band))
+
+
+def _both(band: int) -> tuple[int, int]:
+    """The images that show a band in turns."""
+    first = FIRST_ID + 2 * band
+    return first, first + 1
 
 
 def transmitted(number: int, pixels: Array) -> str:
