@@ -330,7 +330,7 @@ for wrong in (
     lambda: copy.deepcopy(threading.Lock()), lambda: pickle.dumps(threading.RLock()), lambda: type(threading.Lock()),
     lambda: threading.Lock().acquire(timeout="1"), lambda: threading.RLock().acquire(False, 1), lambda: os.urandom("3"),
     lambda: signal.setitimer(signal.ITIMER_REAL, -1), lambda: signal.alarm("1"), lambda: _thread.start_new_thread(1, ()),
-    lambda: _thread.start_new_thread(print, 1),
+    lambda: _thread.start_new_thread(print, 1), lambda: threading.RLock().release(), lambda: threading.Lock().release(),
     lambda: time.sleep(), lambda: time.sleep("1"), lambda: time.sleep(None), lambda: time.sleep(1, 2),
     lambda: time.sleep(seconds=1), lambda: time.sleep(-1), lambda: time.sleep(float("nan")), lambda: time.sleep(2j),
     lambda: time.sleep(float("inf")), lambda: time.localtime("x"), lambda: time.asctime(None), lambda: time.strftime(),

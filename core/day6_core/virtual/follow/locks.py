@@ -70,8 +70,11 @@ class Lock:
             return True
         return bool(blocking) and self._wait(None if timeout == -1 else int(timeout * 1e9), owner)
 
-    def release(self, _type: object = None, _value: object = None, _traceback: object = None, /) -> None:
+    def release(self) -> None:
         """Let it go; any thread may."""
+        self.__exit__()
+
+    def __exit__(self, *_: object) -> None:
         if not self._locked:
             raise RuntimeError("release unlocked lock")
         self._locked = 0
@@ -83,7 +86,7 @@ class Lock:
         return bool(self._locked)
 
     acquire_lock, release_lock, locked_lock = acquire, release, locked
-    __enter__, __exit__ = acquire, release
+    __enter__ = acquire
 
     def _wait(self, ns: int | None, owner: int) -> bool:
         kernel = _kernel
@@ -146,8 +149,7 @@ class RLock(Lock):
             return True
         return self._take(me, blocking, timeout)
 
-    def release(self, _type: object = None, _value: object = None, _traceback: object = None, /) -> None:
-        """Let it go as often as it was taken."""
+    def __exit__(self, *_: object) -> None:
         if self._locked != _get_ident():
             raise RuntimeError("cannot release un-acquired lock")
         if self._again:
@@ -157,7 +159,7 @@ class RLock(Lock):
         if self._waiting:
             _kernel.wake(self._waiting.popleft())
 
-    __enter__, __exit__ = acquire, release
+    __enter__ = acquire
 
     # -- for threading.Condition -----------------------------------------------------------------------------------------
 
@@ -171,7 +173,7 @@ class RLock(Lock):
         if not self._locked:
             raise RuntimeError("cannot release un-acquired lock")
         again, self._again = self._again, 0
-        Lock.release(self)
+        Lock.__exit__(self)
         return again
 
     def _acquire_restore(self, again: int) -> None:
