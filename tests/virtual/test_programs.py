@@ -348,6 +348,17 @@ def test_wrong_calls_are_answered_as_in_real_time(world: World) -> None:
     assert (fast.stdout, fast.stderr) == (real.stdout, real.stderr)
 
 
+def test_hashes_are_the_same_each_time(world: World) -> None:
+    command = 'python3 -c \'print(hash("day6"), {"a", "b", "c"})\''
+    assert world.fast(command).stdout == world.fast(command).stdout != ""
+
+
+def test_a_module_of_the_programs_own_with_a_name_of_pythons_stays_as_it_is(world: World) -> None:
+    for name in ("random", "secrets"):
+        world.file(f"{name}.py", "mine = True")
+    assert world.python("import random, secrets\nprint(random.mine, secrets.mine)").stdout == "True True\n"
+
+
 def test_tracebacks_are_those_of_real_time(world: World) -> None:
     fast = world.python(ERRORS)
     real = world.run("python", "program.py")

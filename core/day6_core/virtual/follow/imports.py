@@ -1,4 +1,4 @@
-"""Changes modules when they are imported, so that a program pays only for those that it uses."""
+"""Changes Python's modules when they are imported, so that a program pays only for those that it uses."""
 
 from __future__ import annotations
 
@@ -7,14 +7,16 @@ import sys
 if sys.platform != "linux":
     raise ImportError("there is no virtual time on this system")
 
+import os
 from collections.abc import Callable
 from typing import Any
 
+_LIBRARY = os.path.join(os.path.dirname(os.__file__), "")
 _calls: dict[str, list[Callable[[Any], None]]] = {}
 
 
 def when_imported(name: str, call: Callable[[Any], None]) -> None:
-    """Call with the module once it has been imported, which may be now."""
+    """Call with a module of Python's once it has been imported, which may be now."""
     module = sys.modules.get(name)
     if module is not None:
         call(module)
@@ -34,7 +36,7 @@ class _Finder:
                 continue
             spec: Any = finder.find_spec(name, path, target)
             if spec is not None:
-                if spec.loader is not None:
+                if spec.loader is not None and (not spec.has_location or spec.origin.startswith(_LIBRARY)):
                     spec.loader = _Loader(spec.loader, name)
                 return spec
         return None
