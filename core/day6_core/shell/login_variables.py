@@ -21,6 +21,7 @@ _PASSED_ON = (
     "TMP",
     "PATH",
     "PYTHONPATH",
+    "PYTHONHASHSEED",  # in virtual time, where a run is to be the same again
     # The link's folder is derived from it: a student's process must find the same one as we do.
     "XDG_RUNTIME_DIR",
     # Without these, Windows and its programs start others badly or not at all.
