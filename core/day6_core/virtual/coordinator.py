@@ -403,7 +403,9 @@ class Coordinator:
 
     def _may_be_signalled(self, pid: int) -> bool:
         """Whether a process may be sent signals. Where nobody is trusted, this one may not, nor who was there before it."""
-        return self._limit is None or processes.started_at(pid) > processes.started_at(self._own.pid)
+        if self._limit is None or pid in self._members:
+            return True
+        return processes.started_at(pid) > processes.started_at(self._own.pid)
 
     # -- time --------------------------------------------------------------------------------------------------------------
 

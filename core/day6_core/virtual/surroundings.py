@@ -27,7 +27,8 @@ _AT_A_PACE = "paced"
 """A file in its folder."""
 _LONGEST_PLACE = 36
 """Bytes of the folder in which worlds are made: their sockets have paths of 100 bytes at most."""
-_STARTUP = os.path.join(os.path.dirname(__file__), "startup")
+STARTUP = os.path.join(os.path.dirname(__file__), "startup")
+"""The first folder on PYTHONPATH in such a world."""
 
 
 class NotHere(OSError):
@@ -73,8 +74,8 @@ def environment(base: Mapping[str, str], world: str = "", *, paced: bool = False
         env["DAY6_RUNTIME_DIR"] = world
     env["DAY6_LINK"] = "local"
     env.setdefault("PYTHONHASHSEED", "0")
-    others = [each for each in env.get("PYTHONPATH", "").split(os.pathsep) if each not in ("", _STARTUP)]
-    env["PYTHONPATH"] = os.pathsep.join((_STARTUP, *others))
+    others = [each for each in env.get("PYTHONPATH", "").split(os.pathsep) if each not in ("", STARTUP)]
+    env["PYTHONPATH"] = os.pathsep.join((STARTUP, *others))
     return env
 
 

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from functools import cache
 from pathlib import Path
 
-from day6_core.shell.process.launch_process import lower_limit
+from day6_core.shell.process.launch_process import leave_no_core, lower_limit
 from day6_core.shell.process.memory import is_held_by_system, memory_limit
 
 NICE = 10
@@ -41,6 +41,25 @@ def prepared(argv: Sequence[str], name: str = "", tty: int | None = None) -> Seq
     mode = "no-tty" if tty is None else "tty"
     launcher = [sys.executable, "-I", "-S", str(_LAUNCHER), mode, str(NICE), str(memory)]
     return [*launcher, path, name or path, *arguments]
+
+
+def parted(words: list[str]) -> tuple[list[str], list[str]]:
+    """Return what `_SCRIPT` is told, for `settle`, and the words of the program; nothing and all words without it."""
+    return (words[3:8], words[8:]) if words[:3] == ["/bin/sh", "-c", _SCRIPT] else ([], words)
+
+
+def settle(own: str, limit: str, _path: str, _option: str, nice: str) -> None:
+    """Do in this process, which leads a session, what `_SCRIPT` does. Raises OSError, ValueError."""
+    if sys.platform == "win32":
+        raise NotImplementedError("not there")
+    import resource
+
+    os.close(os.open(own, os.O_RDWR))
+    leave_no_core()
+    if kilobytes := int(limit):
+        hard = resource.getrlimit(resource.RLIMIT_DATA)[1]
+        resource.setrlimit(resource.RLIMIT_DATA, (kilobytes * 1024, hard))
+    os.nice(int(nice))
 
 
 def _nice() -> str:

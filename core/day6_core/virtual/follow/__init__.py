@@ -93,7 +93,10 @@ def prepare() -> Callable[[float], None]:
 
     The returned function is for its children, each made by the real `os.fork`: it makes one the first process of the world that
     its environment names then. Nothing else in that is trusted, and may hold its time for so many seconds. Raises OSError.
+    Interpreters that are forked for programs (`ready`) take part in worlds that there are.
     """
+    from day6_core.virtual.ready import forks
+
     place = _Place()
     place.kernel.yield_at = FOR_EVER_NS
     place.install()
@@ -102,6 +105,13 @@ def prepare() -> Callable[[float], None]:
         place.kernel.forked()
         place.enter(limit)
 
+    def join_world() -> None:
+        place.kernel.forked()
+        place.enter_or_end()
+        chance.begin_again()
+        descriptors.follow_stdin()
+
+    forks.join = join_world
     return begin_world
 
 

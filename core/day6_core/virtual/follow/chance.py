@@ -18,19 +18,23 @@ from day6_core.virtual.follow.builtin import put
 from day6_core.virtual.follow.imports import when_imported
 
 _real_urandom = os.urandom
+_stream: Any = None
+"""Where all of it comes from, once something is asked for."""
+_random_module: Any = None
+"""Once it is imported."""
 
 
 def install(number: Callable[[], int]) -> None:
     """Have what begins from the system's random numbers begin from the process's number in its world."""
-    stream = None
 
     def bits(k: int) -> int:
-        nonlocal stream
-        if stream is None:
+        global _stream
+        if _stream is None:
             import _random
 
-            stream = _random.Random(number() + 1)
-        return stream.getrandbits(k)
+            _stream = _random.Random(number() + 1)
+        found: int = _stream.getrandbits(k)
+        return found
 
     def urandom(size: int, /) -> bytes:
         return (
@@ -42,7 +46,17 @@ def install(number: Callable[[], int]) -> None:
     when_imported("secrets", lambda module: setattr(module, "randbits", bits))  # NumPy's seed
 
 
+def begin_again() -> None:
+    """Begin as a new process."""
+    global _stream
+    _stream = None
+    if _random_module is not None:
+        _random_module.seed()
+
+
 def _follow_random(module: Any, bits: Callable[[int], int]) -> None:
+    global _random_module
+    _random_module = module
     module._urandom = _real_urandom  # of SystemRandom
     original = module.Random.seed
 

@@ -10,9 +10,10 @@ if sys.platform != "linux":
 import _posixsubprocess
 import os
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, Protocol, TypeVar
 
+from day6_core.virtual import ready
 from day6_core.virtual.follow.builtin import put
 from day6_core.virtual.follow.descriptors import descriptors_were_shared
 from day6_core.virtual.follow.imports import when_imported
@@ -51,7 +52,7 @@ def install(kernel: Kernel, world: Callable[[], World], enter_child: Callable[[]
         world().spawned(pid)
 
     def fork_exec_and_tell(*args: Any) -> int:
-        pid: int = fork_exec(*args)
+        pid: int = _handed_on(args) or fork_exec(*args)
         if pid and not _is_apart(args[5]):
             spawned(pid)
         if len(args[3]) > 1:  # more than the pipe for errors of its start
@@ -102,6 +103,18 @@ def install(kernel: Kernel, world: Callable[[], World], enter_child: Callable[[]
     put(os, fork=fork_and_tell, system=_system, kill=kill, killpg=killpg)
     put(os, waitpid=waitpid, wait=lambda: waitpid(-1, 0), waitid=_waitid)
     when_imported("multiprocessing.synchronize", _follow_semaphores)
+
+
+def _handed_on(args: Sequence[Any]) -> int:
+    """Have an interpreter that is ready become what is to be started; return its process's number, 0 if there is none for it."""
+    if ready.wanted is None:
+        return 0
+    from day6_core.virtual.ready import forks
+
+    argv, _, _, kept, cwd, env, read_end, _, _, out_end, _, error_end, _, error_pipe, _, new_session = args[:16]
+    fds = {number: number for number in kept if number != error_pipe}
+    fds |= {number: number if fd < 0 else fd for number, fd in enumerate((read_end, out_end, error_end))}
+    return forks.start(argv, cwd, env, fds, new_session=new_session)
 
 
 def _is_apart(environment: Any) -> bool:

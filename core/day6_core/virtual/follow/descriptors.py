@@ -51,6 +51,7 @@ def install(kernel: Kernel, touched: Callable[[int], object], typed: Callable[[i
     put(io, open=_opening(io.open))
     builtins.open = io.open
     _follow_input()
+    follow_stdin()
 
 
 def descriptors_were_shared() -> None:
@@ -325,7 +326,8 @@ def _opening(real: Callable[..., Any]) -> Callable[..., Any]:
     return open
 
 
-def _follow_input() -> None:
+def follow_stdin() -> None:
+    """Have standard input follow the kernel as it is now."""
     given = sys.stdin
     if not isinstance(given, io.TextIOWrapper) or stat.S_ISREG(os.fstat(given.fileno()).st_mode):
         return
@@ -334,14 +336,18 @@ def _follow_input() -> None:
         io.BufferedReader(Pipe(given.fileno(), "rb", closefd=False)),
         encoding=given.encoding,
         errors=given.errors,
+        newline="\n",
         line_buffering=given.line_buffering,
     )
     system._day6_stdin = given  # else its end would close the descriptor
+
+
+def _follow_input() -> None:
     real_input = builtins.input
 
     def input(prompt: object = "", /) -> str:  # noqa: A001
-        stdin = system.stdin
-        if stdin is not system.__stdin__ or not stdin.isatty() or not sys.stdout.isatty():
+        stdin = sys.stdin
+        if stdin is not sys.__stdin__ or stdin is None or not stdin.isatty() or not sys.stdout.isatty():
             return real_input(prompt)
         sys.stdout.flush()
         sys.stderr.write(str(prompt))
