@@ -473,6 +473,14 @@ VARIABLES = (
         NONE,
     ),
     Variable(
+        "PYTHONUTF8",
+        "system",
+        (
+            "Set to `1` for the interpreter that runs a `setup.py`.",
+            "运行 `setup.py` 的解释器里设为 `1`。",
+        ),
+    ),
+    Variable(
         "PYTHONIOENCODING",
         "system",
         (
@@ -629,6 +637,14 @@ VARIABLES = (
         (
             "The folder of the world whose virtual time a program follows (`--fast`).",
             "程序所在的虚拟时间世界的文件夹（`--fast`）。",
+        ),
+    ),
+    Variable(
+        "DAY6_ROOM",
+        "internal",
+        (
+            "Room in memory, where the system is shown the words and variables of graded programs.",
+            "内存里的一块地方，系统从那里看到被评分程序的命令行和变量。",
         ),
     ),
     Variable(

@@ -218,6 +218,30 @@ def test_who_speaks_to_the_judge_has_nobody_killed_and_stops_nobody(tmp_path: Pa
     assert {name for name, graded in done.items() if (graded.passed, graded.ended) == (2, "")} == {*ATTACKS, "good"}
 
 
+HUNTER = """\
+import ctypes, os
+
+
+def main():
+    judge, own, libc = os.getppid(), os.getpid(), ctypes.CDLL(None)
+    for name in os.listdir('/proc'):
+        if name.isdigit() and int(name) not in (judge, own):
+            with open(f'/proc/{name}/stat') as file:
+                parent = int(file.read().rpartition(')')[2].split()[1])
+            if parent == judge:
+                print('killed', libc.kill(int(name), 9))
+    assert 'job' not in os.listdir(os.path.dirname(os.path.expanduser('~')))
+    print('This is my own package!')
+"""
+"""Ends the interpreters that are ready for other programs of its submission, and looks for what only the judge may read."""
+
+
+@pytest.mark.parametrize("shielded", [pytest.param(True, marks=needs_namespaces), False])
+def test_who_kills_the_interpreters_that_are_ready_gets_new_ones(tmp_path: Path, shielded: bool) -> None:
+    done = _graded(tmp_path, {"hunter": HUNTER}, shielded=shielded)
+    assert [(graded.passed, graded.ended) for graded in done.values()] == [(2, ""), (2, "")]
+
+
 @needs_namespaces
 def test_nothing_outside_can_be_written(tmp_path: Path) -> None:
     import day6_core.lessons.grading.judge as judge

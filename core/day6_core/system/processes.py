@@ -136,6 +136,23 @@ def own_memory(pids: Iterable[int]) -> int:
     return sum(map(_own_memory, pids))
 
 
+def divided_memory(pids: Iterable[int]) -> int:
+    """The same, but what several processes have in common after a fork is divided between them, where the system says so.
+
+    That takes a hundred times as long.
+    """
+    return sum(_divided_memory(pid) for pid in pids)
+
+
+def _divided_memory(pid: int) -> int:
+    try:
+        with open(f"{PROC}/{pid}/smaps_rollup", encoding="ascii") as file:
+            kilobytes = next(line.split()[1] for line in file if line.startswith("Pss_Anon:"))
+    except (OSError, StopIteration):  # gone, hidden, or an older Linux
+        return own_memory([pid])
+    return int(kilobytes) << 10
+
+
 def _own_memory(pid: int) -> int:
     if sys.platform == "win32":
         return 0

@@ -9,6 +9,7 @@ import os
 import secrets
 import shutil
 import signal
+import socket
 import subprocess
 import sys
 import tempfile
@@ -16,6 +17,7 @@ import threading
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor
+from functools import cached_property
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any
@@ -36,6 +38,9 @@ PATIENCE = 10.0
 
 OWN_SHARE = 4
 """How many times as long it is given in virtual time, where it counts only what a submission takes itself on a busy machine."""
+
+MOST_READY = 8
+"""Interpreters, for one submission."""
 
 LARGEST_REPORT = 2_000_000
 
@@ -113,12 +118,14 @@ class Grader:
         self._seconds = longest(gradings) if seconds is None else seconds
         self._virtual = virtual and is_there()
         self._shield = shield.Shield.WHOLE if shielded else shield.Shield.NONE
-        self._answers = right_answers(each.lesson for each in gradings) if answers is None else answers
-        self._wardens: set[subprocess.Popen[bytes]] = set()
-        self._free: list[subprocess.Popen[bytes]] = []
+        self._given_answers = answers
+        self._wardens: set[_Warden] = set()
+        self._free: list[_Warden] = []
         """Those of them that have nothing to do."""
         self._lock = threading.Lock()
         self._stopped = False
+        self._programs = min(MOST_READY, sum(len(each.scenarios) for each in gradings))
+        """So many interpreters are made ready for a submission: the most that one has needed, at first a guess."""
 
     def grade(
         self,
@@ -159,13 +166,19 @@ class Grader:
                 self._end(self._free.pop())
         return found
 
+    @cached_property
+    def _answers(self) -> Mapping[str, Mapping[str, str]]:
+        """The right ones; read when the first submission is there, as wardens need longer to begin."""
+        if self._given_answers is not None:
+            return self._given_answers
+        return right_answers(each.lesson for each in self._gradings)
+
     def stop(self) -> None:
         """End all wardens, and with them everything they keep."""
         self._stopped = True
         with self._lock:
             for warden in self._wardens:
-                with contextlib.suppress(ProcessLookupError):
-                    warden.kill()
+                warden.kill()
 
     def _again(self, graded: Graded) -> None:
         """Play once more what the machine was too busy for, and what had to wait for that."""
@@ -219,18 +232,18 @@ class Grader:
     def _said(self, file: Path, chosen: Mapping[str, Any]) -> list[dict[str, Any]]:
         """What the warden and the judge said about one submission."""
         job = {
-            "archive": str(file.absolute()), "seed": self.seed, "seconds": self._seconds, "shield": self._shield.value,
-            "gradings": self._texts, "user": self._user(), "hidden": sorted(self._hidden),
-            "virtual": self._virtual, **chosen,
+            "archive": str(file.absolute()), "seconds": self._seconds, "shield": self._shield.value, "user": self._user(),
+            "hidden": sorted(self._hidden), "programs": self._programs, "work": chosen["work"],
         }  # fmt: skip
+        secret = {name: chosen[name] for name in ("only", "passed")} | {"seed": self.seed, "gradings": self._texts}
         warden = self._warden()
         if warden is None:
             return []
-        end = threading.Timer(self._seconds * (OWN_SHARE if self._virtual else 1) + PATIENCE, _kill, [warden])
+        end = threading.Timer(self._seconds * (OWN_SHARE if self._virtual else 1) + PATIENCE, warden.kill_group)
         end.daemon = True
         end.start()
         try:
-            text, is_over = _report(warden, json.dumps(job).encode() + b"\n")
+            text, is_over = warden.report(job, secret)
         finally:
             end.cancel()
         if is_over:
@@ -239,23 +252,19 @@ class Grader:
             self._end(warden)
         return _lines(text)
 
-    def _warden(self) -> subprocess.Popen[bytes] | None:
+    def _warden(self) -> _Warden | None:
         """One that has nothing to do; None when all is to end."""
         with self._lock:
             if self._stopped:
                 return None
             if self._free:
                 return self._free.pop()
-            warden = subprocess.Popen(
-                [sys.executable, "-I", "-m", WARDEN],
-                stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, start_new_session=True,
-            )  # fmt: skip
+            warden = _Warden(virtual=self._virtual)
             self._wardens.add(warden)
             return warden
 
-    def _end(self, warden: subprocess.Popen[bytes]) -> None:
-        """Let one end that has nothing to do any more, or has ended already."""
-        warden.communicate()
+    def _end(self, warden: _Warden) -> None:
+        warden.end()
         with self._lock:
             self._wardens.discard(warden)
 
@@ -274,6 +283,8 @@ class Grader:
             graded.ended = graded.ended or said["ended"]
             graded.stalls = said.get("stalls", [])
             graded.shielded = said["shield"] == shield.Shield.WHOLE.value
+        elif "done" in said:
+            self._programs = min(MOST_READY, max(self._programs, said["programs"]))
         elif "problem" in said:
             graded.ended, graded.problem = "problem", str(said["problem"])
 
@@ -303,26 +314,71 @@ class Grader:
             result.look_for_lag(graded.stalls, ended)
 
 
-def _report(warden: subprocess.Popen[bytes], job: bytes) -> tuple[bytes, bool]:
-    """Return what a warden says of a job, and whether it is there for another one."""
-    assert warden.stdin is not None and warden.stdout is not None
-    found: list[bytes] = []
-    left = LARGEST_REPORT
-    with contextlib.suppress(BrokenPipeError):
-        warden.stdin.write(job)
-        warden.stdin.flush()
-    while line := warden.stdout.readline(LARGEST_REPORT):
-        if line == OVER:
-            return b"".join(found), True
-        found.append(line[:left])
-        left -= len(found[-1])
-    return b"".join(found), False
+class _Warden:
+    """A process that judges one submission after the other."""
+
+    def __init__(self, *, virtual: bool) -> None:
+        words, env = _command(virtual=virtual)
+        self._jobs, theirs = socket.socketpair()
+        with theirs:
+            self._process = subprocess.Popen(
+                words,
+                env=env,
+                stdin=theirs.fileno(),
+                stdout=subprocess.PIPE,
+                stderr=subprocess.DEVNULL,
+                start_new_session=True,
+            )
+
+    @property
+    def pid(self) -> int:
+        return self._process.pid
+
+    def report(self, job: Mapping[str, Any], secret: Mapping[str, Any]) -> tuple[bytes, bool]:
+        """Return what it says of a job, and whether it is there for another one. Only the judge reads what is `secret`."""
+        if sys.platform == "win32":
+            raise NotImplementedError  # nothing is graded there: `command.main` says so
+        assert self._process.stdout is not None
+        with contextlib.suppress(ConnectionError), tempfile.TemporaryFile() as file:
+            file.write(json.dumps(secret).encode())
+            file.seek(0)
+            line = json.dumps(job).encode() + b"\n"
+            sent = socket.send_fds(self._jobs, [line], [file.fileno()])
+            self._jobs.sendall(line[sent:])
+        found: list[bytes] = []
+        left = LARGEST_REPORT
+        while line := self._process.stdout.readline(LARGEST_REPORT):
+            if line == OVER:
+                return b"".join(found), True
+            found.append(line[:left])
+            left -= len(found[-1])
+        return b"".join(found), False
+
+    def end(self) -> None:
+        """Let it end that has nothing to do any more, or has ended already."""
+        self._jobs.close()
+        self._process.communicate()
+
+    def kill(self) -> None:
+        """Kill it alone, and with it what it keeps, where the system does that."""
+        with contextlib.suppress(ProcessLookupError):
+            self._process.kill()
+
+    def kill_group(self) -> None:
+        """Kill it and all that it has started."""
+        if sys.platform != "win32":
+            with contextlib.suppress(ProcessLookupError, PermissionError):
+                os.killpg(self.pid, signal.SIGKILL)
 
 
-def _kill(warden: subprocess.Popen[bytes]) -> None:
-    if sys.platform != "win32":
-        with contextlib.suppress(ProcessLookupError, PermissionError):
-            os.killpg(warden.pid, signal.SIGKILL)
+def _command(*, virtual: bool) -> tuple[list[str], dict[str, str] | None]:
+    """Return what runs a warden, and its variables; None: all that there are."""
+    if sys.platform == "linux" and virtual:
+        from day6_core.lessons.grading.warden import environment
+        from day6_core.virtual.ready import forks
+
+        return forks.command(WARDEN), forks.environment(environment())
+    return [sys.executable, "-I", "-m", WARDEN], None
 
 
 def _is_among(result: Grade, only: Mapping[str, list[str]] | None) -> bool:

@@ -12,10 +12,9 @@ import json
 import os
 import sys
 import threading
-import time
 import traceback
 from collections.abc import Callable
-from functools import cache, partial
+from functools import partial
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -24,12 +23,17 @@ from day6_core.lessons.grading import shield
 from day6_core.lessons.grading.archive import SubmissionRefused, unpack
 from day6_core.reason import fault
 from day6_core.ros.environment import activate
+from day6_core.virtual import ready
 
 if TYPE_CHECKING:
     from day6_core.lessons.grading.scenarios import Grading
     from day6_core.session.session import Session
 
 _MODULES = (
+    *("rclpy.node", "rclpy.executors", "rclpy._day6.node_parts", "rclpy._day6.rosout", "rclpy._day6.log_file"),
+    *("rclpy._day6.lost_errors", "rcl_interfaces.msg", "builtin_interfaces.msg", "day6_core.interfaces.copying"),
+    *("day6_core.interfaces.hashing", "day6_core.link.fork_hook"),
+    *("setuptools", "setuptools.dist", "distutils.core"),
     "day6_core.lessons.grading.play",
     *("rclpy", "rclpy.action", "tf2_ros", "rosidl_runtime_py.set_message", "rosidl_runtime_py.utilities"),
     *("std_msgs.msg", "geometry_msgs.msg", "sensor_msgs.msg", "std_srvs.srv", "tf2_msgs.msg"),
@@ -44,7 +48,10 @@ _MODULES = (
     *("day6_core.ros.programs.turtlesim.turtlesim_node", "day6_core.ros.robot_check", "day6_urdf.check"),
     "day6_core.ros.programs.robot_state_publisher.robot_state_publisher",
 )
-"""With all that they import: what nearly every submission needs. None of them starts a thread or looks at anybody's files."""
+"""With all that they import: what nearly every submission needs, the first ones also what its nodes do.
+
+None of them starts a thread or looks at anybody's files.
+"""
 
 DOMAIN = 0
 """Of the graph in which everything is played."""
@@ -66,12 +73,11 @@ class Report:
         self._pipe.flush()
 
 
-def prepare(job: dict[str, Any]) -> None:
-    """Import and read what judging a submission by such a job takes, for processes that are forked later."""
+def prepare() -> None:
+    """Import what judging a submission takes, for processes that are forked later."""
     activate()
     for module in _MODULES:
         import_module(module)
-    _gradings(job)
     gc.collect()
     gc.freeze()  # or the first collection of every child would copy all that it shares
 
@@ -108,14 +114,9 @@ def _unpack_and_play(job: dict[str, Any], report: Report) -> None:
 
 
 def _gradings(job: dict[str, Any]) -> list[Grading]:
-    return [_read(path, text) for path, text in job["gradings"]]
-
-
-@cache
-def _read(path: str, text: str) -> Grading:
     from day6_core.lessons.grading.scenarios import read_grading
 
-    return read_grading(Path(path), text.encode())
+    return [read_grading(Path(path), text.encode()) for path, text in job["gradings"]]
 
 
 def _play(job: dict[str, Any], home: Path, report: Report) -> None:
@@ -150,7 +151,7 @@ def _play(job: dict[str, Any], home: Path, report: Report) -> None:
     desk.start()
     desk.start_unseen("grade", run)
     done.wait()  # the warden looks at the time
-    report.say(done=True, seconds=round(time.process_time(), 2))
+    report.say(done=True, programs=ready.wanted or 0)
     os._exit(0)  # the warden ends whatever runs
 
 

@@ -23,7 +23,7 @@ from typing import Any
 
 from day6_core.guardian import MARK
 from day6_core.reason import named_reason
-from day6_core.system.processes import descendants, marked, own_memory, processes, stat_fields
+from day6_core.system.processes import descendants, divided_memory, marked, own_memory, processes, stat_fields
 from day6_core.virtual.surroundings import is_there
 
 MOST_PROCESSES = 120
@@ -199,12 +199,13 @@ def watch(
     late: Callable[[float], object],
     *,
     own_seconds: bool = False,
+    inherited: int = 0,
 ) -> str:
     """Wait for `child` and reap everybody; returns '' when it ended, or 'time', 'processes', 'memory', 'killed'.
 
     `processes` are those that count. `late` hears of each look for how many seconds the machine kept this process, or one of
     those, waiting for a core. What still runs afterwards is for the caller to end. `own_seconds` don't pass while they wait for a
-    core that others have.
+    core that others have. `inherited` is the memory, in bytes, that they have from this process and that nobody needs for them.
     """
     if sys.platform == "win32":
         raise NotImplementedError  # nothing is graded there: `command.main` says so
@@ -221,7 +222,7 @@ def watch(
         pids = processes()
         if len(pids) > MOST_PROCESSES:
             return "processes"
-        if own_memory(pids) > MOST_MEMORY:
+        if own_memory(pids) > MOST_MEMORY + inherited and divided_memory(pids) > MOST_MEMORY + inherited:
             return "memory"
         now = {pid: _worked(pid) for pid in pids}
         took, looked = _monotonic() - looked, _monotonic()
