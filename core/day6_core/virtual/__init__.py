@@ -5,7 +5,7 @@ Python imports `startup/sitecustomize.py` in each process of such a world, which
 (`follow`); the rest of day6-tui doesn't know. The threads of a process are the `kernel`'s, the processes the `coordinator`'s.
 
 A world with a person in it, the desktop's, is `paced`: time goes on as fast as the person wants, and what draws the picture and
-takes keys lives in real time.
+takes keys lives in real time. Where many programs begin, as in grading, interpreters are `ready` for them.
 
 `surroundings` says how a world begins, and what its processes find in their environment.
 """

@@ -25,6 +25,8 @@ def show(words: Iterable[str], variables: Mapping[str, str]) -> None:
     short_first = sorted(map("=".join, variables.items()), key=len)
     for texts, at in ((words, _BEGIN_OF_WORDS), (short_first, _BEGIN_OF_VARIABLES)):
         begin, end = int(fields[at]), int(fields[at + 1])
+        if end <= begin:
+            continue  # a system that doesn't say where they are
         data = b"".join(os.fsencode(text) + b"\0" for text in texts)[: end - begin - 1]
         ctypes.memset(begin, 0, end - begin)
         ctypes.memmove(begin, data, len(data))
