@@ -28,7 +28,6 @@ pytestmark = [pytest.mark.process, pytest.mark.skipif(sys.platform != "linux", r
 FORK_BOMB = "import os\n\n\ndef main():\n    while True:\n        os.fork()\n"
 THREADS = "import os, time\n\n\ndef main():\n    for _ in range(300):\n        if not os.fork():\n            time.sleep(600)\n    time.sleep(600)\n"
 LOOP = "def main():\n    while True:\n        pass\n"
-WAIT = "import time\n\n\ndef main():\n    time.sleep(600)\n"
 HEAP = "def main():\n    held = []\n    while True:\n        held.append(bytearray(1 << 24))\n"
 HEAPS = "import os, time\n\n\ndef main():\n    for _ in range(9):\n        if not os.fork():\n            held = bytearray(400 << 20)\n            held[::4096] = b'x' * len(held[::4096])\n            time.sleep(600)\n    time.sleep(600)\n"
 DISK = (
@@ -264,7 +263,7 @@ def test_a_submission_that_takes_too_long_keeps_what_it_had_passed(tmp_path: Pat
 
 
 def test_ctrl_c_leaves_nothing(tmp_path: Path) -> None:
-    files = [str(write(tmp_path / f"{number}.zip", {INNER + "hello.py": WAIT})) for number in range(2)]
+    files = [str(write(tmp_path / f"{number}.zip", {INNER + "hello.py": C_SLEEP})) for number in range(8)]
     mark = uuid.uuid4().hex[:8]
     words = [sys.executable, "-c", MARKED.format(mark=mark), "grade", "--lesson", "day4", "--lang", "en", *files]
     grade = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)

@@ -63,6 +63,7 @@ def _received(connection: Any) -> tuple[dict[str, Any], list[int]]:
         os._exit(0)
     (length,) = forks.HEADER.unpack(data)
     request = _Socket.recv(connection, length, _socket.MSG_WAITALL)
+    _Socket.send(connection, b"\0")
     connection.close()
     return json.loads(request), [number for (number,) in struct.iter_unpack("i", rights[0][2])]
 

@@ -112,12 +112,13 @@ def start(
         try:
             _Socket.sendmsg(connection, [HEADER.pack(len(data))], rights)
             _Socket.sendall(connection, data)
-        except OSError:  # a program has killed it
-            _waitpid(pid, 0)
-        else:
-            return pid
+            if _Socket.recv(connection, 1):
+                return pid
+        except OSError:
+            pass  # as where nothing is received
         finally:
             connection.close()
+        _waitpid(pid, 0)  # a program has killed it
     return 0
 
 
