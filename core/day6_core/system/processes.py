@@ -137,9 +137,9 @@ def own_memory(pids: Iterable[int]) -> int:
 
 
 def divided_memory(pids: Iterable[int]) -> int:
-    """The same, but what several processes have in common after a fork is divided between them, where the system says so.
+    """The same, but what processes share after a fork is divided among them, where the system says how much that is.
 
-    That takes a hundred times as long.
+    Asking takes a hundred times as long.
     """
     return sum(_divided_memory(pid) for pid in pids)
 

@@ -402,7 +402,7 @@ class Coordinator:
             self._touch_all()
 
     def _may_be_signalled(self, pid: int) -> bool:
-        """Whether a process may be sent signals. Where nobody is trusted, this one may not, nor who was there before it."""
+        """Whether a process may be sent signals. Where nobody is trusted, only those that take part or are younger."""
         if self._limit is None or pid in self._members:
             return True
         return processes.started_at(pid) > processes.started_at(self._own.pid)

@@ -106,7 +106,7 @@ def install(kernel: Kernel, world: Callable[[], World], enter_child: Callable[[]
 
 
 def _handed_on(args: Sequence[Any]) -> int:
-    """Have an interpreter that is ready become what is to be started; return its process's number, 0 if there is none for it."""
+    """Hand what is to be started to a ready interpreter; return the process number, 0 if none takes it."""
     if ready.wanted is None:
         return 0
     from day6_core.virtual.ready import forks

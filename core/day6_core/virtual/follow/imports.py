@@ -26,20 +26,27 @@ def when_imported(name: str, call: Callable[[Any], None]) -> None:
     _calls.setdefault(name, []).append(call)
 
 
+def found_by_others(asking: Any, name: str, path: Any, target: Any) -> Any:
+    """Return the spec that the first of the other finders finds, None if none does."""
+    for finder in sys.meta_path:
+        if finder is not asking:
+            spec: Any = finder.find_spec(name, path, target)
+            if spec is not None:
+                return spec
+    return None
+
+
 class _Finder:
     @staticmethod
     def find_spec(name: str, path: Any = None, target: Any = None) -> Any:
         if name not in _calls:
             return None
-        for finder in sys.meta_path:
-            if finder is _Finder:
-                continue
-            spec: Any = finder.find_spec(name, path, target)
-            if spec is not None:
-                if spec.loader is not None and (not spec.has_location or spec.origin.startswith(_LIBRARY)):
-                    spec.loader = _Loader(spec.loader, name)
-                return spec
-        return None
+        spec = found_by_others(_Finder, name, path, target)
+        if spec is None or spec.loader is None:
+            return spec
+        if not spec.has_location or spec.origin.startswith(_LIBRARY):
+            spec.loader = _Loader(spec.loader, name)
+        return spec
 
 
 class _Loader:

@@ -9,9 +9,12 @@ on to them, without those who start programs knowing. `becoming` makes an interp
 from __future__ import annotations
 
 from collections import deque
-from typing import Any
+from typing import TYPE_CHECKING
 
-waiting: deque[tuple[int, Any]] = deque()
-"""Those that have no program yet: the process's number, and the socket by which it gets one."""
+if TYPE_CHECKING:
+    from _socket import socket
+
+waiting: deque[tuple[int, socket]] = deque()
+"""Those that have no program yet: the process number, and the socket through which it gets one."""
 wanted: int | None = None
-"""How many programs there were so far for such as these; None in a process that has none."""
+"""How many programs could have begun in one so far; None in a process that has no such interpreters."""

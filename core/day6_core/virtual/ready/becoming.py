@@ -33,7 +33,7 @@ _DUMPABLE = 4  # of prctl
 
 
 def runner_of(module: str) -> Callable[[], int]:
-    """Run `module`'s main(); return what is to run then, the program in a fork that has become one. It returns an exit status."""
+    """Run `module`'s main(); return what is to run next, in a fork its program. That returns an exit status."""
     os.environ.pop(forks.ROOM, None)
     forks.prepare(os.environ)
     try:
@@ -45,7 +45,7 @@ def runner_of(module: str) -> Callable[[], int]:
     return _become(*_received(connection))
 
 
-def _received(connection: Any) -> tuple[dict[str, Any], list[int]]:
+def _received(connection: _socket.socket) -> tuple[dict[str, Any], list[int]]:
     """What is to be run, and its descriptors. Ends this process if there is nothing."""
     for _, other in ready.waiting:
         other.detach()  # or it would close what will be a descriptor of the program's

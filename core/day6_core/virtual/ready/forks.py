@@ -12,7 +12,7 @@ import json
 import os
 import struct
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any
+from typing import Union
 
 from day6_core.virtual import ready
 from day6_core.virtual.ready import unseen
@@ -21,6 +21,8 @@ from day6_core.virtual.surroundings import NEW, STARTUP, VARIABLE
 START = os.path.join(os.path.dirname(__file__), "start.py")
 _fork, _waitpid, _Socket = os.fork, os.waitpid, _socket.socket
 HEADER = struct.Struct("=q")
+Word = Union[str, bytes, "os.PathLike[str]"]
+"""An argument or a path, as subprocess takes it."""
 MOST_FDS = 64
 _INTERPRETERS_OWN = ("LC_", "LD_", "PYTHON")
 _ALSO = ("LANG", "LANGUAGE", "TZ", "MALLOC_ARENA_MAX")
@@ -48,9 +50,9 @@ known: frozenset[str] = frozenset()
 
 
 class Begun(BaseException):
-    """In a fork: it begins to wait for a program. Goes through to `becoming`, and nothing on its way may keep it."""
+    """In a fork: it begins to wait for a program. Goes through to `becoming`; nothing on its way may catch it."""
 
-    def __init__(self, connection: Any) -> None:
+    def __init__(self, connection: _socket.socket) -> None:
         super().__init__()
         self.connection = connection
 
@@ -84,11 +86,11 @@ def fork(count: int) -> None:
 
 
 def start(
-    argv: Sequence[Any], cwd: Any, env: Sequence[bytes] | None, fds: Mapping[int, int], *, new_session: bool
+    argv: Sequence[Word], cwd: Word | None, env: Sequence[bytes] | None, fds: Mapping[int, int], *, new_session: bool
 ) -> int:
-    """Have an interpreter become a program, with the descriptors `fds` of ours, by its numbers; return its process's number.
+    """Have an interpreter become a program, whose descriptors are `fds` of ours, by its numbers; return the process number.
 
-    0 if none can, or there is none: nothing has happened then.
+    0 if none is left or can: nothing has happened then.
     """
     before, words = parted([os.fsdecode(word) for word in argv])
     if words[0] != sys.executable or len(words) < 2 or words[1].startswith("-") or env is None or len(fds) > MOST_FDS:

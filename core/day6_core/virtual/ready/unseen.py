@@ -6,16 +6,21 @@ what it uses, and its own file that has the name of one of Python's modules is f
 
 from __future__ import annotations
 
+import sys
+
+if sys.platform != "linux":
+    raise ImportError("there is no virtual time on this system")
+
 import builtins
 import ctypes
 import os
 import subprocess
-import sys
 from importlib.machinery import ModuleSpec
 from types import ModuleType
 from typing import Any
 
 from day6_core.virtual import surroundings
+from day6_core.virtual.follow.imports import found_by_others
 
 _seen: frozenset[str] = frozenset()
 _imports: dict[str, dict[str, None]] = {}
@@ -121,27 +126,17 @@ def _place_of(name: str) -> tuple[dict[str, Any], str]:
 
 class _Finder:
     @staticmethod
-    def find_spec(name: str, path: Any = None, target: Any = None) -> ModuleSpec | None:
+    def find_spec(name: str, path: Any = None, target: Any = None) -> Any:
         if name not in _unseen:
             return None
-        spec = _found(name, path, target)
+        spec = found_by_others(_Finder, name, path, target)
         module = _unseen[name]
         was: Any = module.__spec__
         if spec is not None and spec.origin == was.origin:
-            found: Any = spec
-            found.loader = _Loader(module)
+            spec.loader = _Loader(module)
         else:
             del _unseen[name]
         return spec
-
-
-def _found(name: str, path: Any, target: Any) -> ModuleSpec | None:
-    for finder in sys.meta_path:
-        if finder is not _Finder:
-            spec = finder.find_spec(name, path, target)
-            if spec is not None:
-                return spec
-    return None
 
 
 class _Loader:
